@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "pomdp_crowd_nav/belief/intention_belief.h"
+#include "pomdp_crowd_nav/world/track.h"
+
+namespace pomdp_crowd_nav {
+
+// One visible person: where, how fast, and where to.
+struct PersonBelief {
+  std::int64_t id = 0;
+  Point position{0.0, 0.0};  // [m], newest track
+  Point velocity{0.0, 0.0};  // [m/s], of the newest track
+  double speed = 1.0;        // [m/s], walking speed to plan with
+  IntentionBelief intention;
+};
+
+// Everybody visible at `stamp`, by increasing id.
+struct CrowdBelief {
+  double stamp = 0.0;  // [s]
+  std::vector<PersonBelief> people;
+};
+
+// Keeps a belief for every visible track: uniform when new, updated every `update_period` from the
+// progress made since the last update, forgotten when the track is gone.
+class BeliefTracker {
+ public:
+  struct Params {
+    double update_period = 0.5;  // [s] between two updates of a belief (facts: twice a 1 s step)
+    // [m/s], one speed for everybody; 0 to plan with each person's own, smoothed speed.
+    double walking_speed = 1.0;
+    double speed_smoothing = 0.5;  // weight of the newest speed in (0, 1]
+  };
+
+  // Throws std::invalid_argument without destinations or with a parameter out of range.
+  BeliefTracker(std::vector<Point> destinations, const Params& params);
+
+  // Tracks that are not in the list are forgotten. A stamp older than the last one clears all
+  // beliefs first (the clock jumped back); the same stamp again changes positions only.
+  void update(const TrackList& tracks);
+  void clear();
+
+  const CrowdBelief& belief() const { return belief_; }
+  const std::vector<Point>& destinations() const { return destinations_; }
+
+ private:
+  struct LastUpdate {
+    double stamp = 0.0;
+    Point position{0.0, 0.0};
+  };
+
+  std::vector<Point> destinations_;
+  Params params_;
+  CrowdBelief belief_;
+  std::vector<LastUpdate> last_updates_;  // parallel to belief_.people
+};
+
+}  // namespace pomdp_crowd_nav

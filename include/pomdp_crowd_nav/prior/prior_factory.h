@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "pomdp_crowd_nav/prior/rollout_prior.h"
+#include "pomdp_crowd_nav/world/static_map.h"
+
+namespace pomdp_crowd_nav {
+
+// What every prior may need; each takes its part.
+struct PriorParams {
+  double resolution = 0.2;  // [m], cell of the fast marching grid and of the navigation field
+  double clearance = 3.0;   // [m], paths keep this far from obstacles where they can
+  // [m], paths keep a little more, so that straight steps along them stay outside `clearance`
+  double extra_clearance = 0.3;
+  // Speed of the front inside the clearance as a share of its free speed, in (0, 1): low enough
+  // to go round, above zero so that a robot that got inside is led out.
+  double blocked_speed = 0.01;
+};
+
+// Names that makePrior knows.
+std::vector<std::string> priorNames();
+
+// Builds the prior `name` ("fast_marching", "straight_line") for a map and a goal. Throws
+// std::invalid_argument for an unknown name (listing the known), or a goal off the map or inside
+// an obstacle.
+std::shared_ptr<const RolloutPrior> makePrior(const std::string& name, const StaticMap& map,
+                                              const Point& goal, const PriorParams& params);
+
+}  // namespace pomdp_crowd_nav

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "pomdp_crowd_nav/world/geometry.h"
+
+namespace pomdp_crowd_nav {
+
+// "How would I go from here if nobody were in the way?" Answers for one map and one goal.
+//
+// Implementations are immutable once built and thread-safe; they keep no memory of past queries.
+class RolloutPrior {
+ public:
+  virtual ~RolloutPrior() = default;
+
+  virtual const Point& goal() const = 0;
+
+  // Direction of travel to take at a pose [rad]; nothing where no path leads to the goal.
+  virtual std::optional<double> directionAt(const Pose& pose) const = 0;
+
+  // Length of the path from here to the goal [m]; infinite where there is none.
+  virtual double distanceToGoal(const Point& position) const = 0;
+};
+
+}  // namespace pomdp_crowd_nav

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "pomdp_crowd_nav/world/geometry.h"
+
+namespace pomdp_crowd_nav {
+
+// A holonomic base: `heading` is the direction of travel, which the body turns to follow.
+struct VehicleState {
+  Point position{0.0, 0.0};  // [m]
+  double heading = 0.0;      // [rad]
+  double speed = 0.0;        // [m/s], never negative
+
+  Point velocity() const { return speed * unitVector(heading); }
+};
+
+// How the velocity of a base may change. The paper's base takes any velocity at once; a real one
+// needs time, so its velocity runs linearly from the old to the new value over a step.
+struct VehicleParams {
+  double radius = 1.0;                // [m], paper's L
+  double max_speed = 2.0;             // [m/s], v_max
+  double acceleration = 1.0;          // [m/s^2], one speed step is acceleration * step
+  double lateral_acceleration = 1.0;  // [m/s^2], bounds the turn of a moving base
+  double brake_deceleration = 1.0;    // [m/s^2], of the sudden brake
+  double max_yaw_rate = 1.0;          // [rad/s], of the body
+  double yaw_acceleration = 2.0;      // [rad/s^2], of the body
+  bool instant_velocity = true;       // true: the limits on acceleration do not hold in a step
+};
+
+// Throws std::invalid_argument naming the first field that is out of range.
+void validate(const VehicleParams& params);
+
+// Speed after a step in which the base tries to change it by `speed_change` [m/s].
+double speedAfter(const VehicleParams& params, double speed, double speed_change);
+
+// Speed after a step of `step` seconds of the sudden brake (SB in the paper).
+double speedAfterBrake(const VehicleParams& params, double speed, double step);
+
+// Distance covered from `speed` to rest with the sudden brake [m].
+double stoppingDistance(const VehicleParams& params, double speed);
+
+// Largest chord |u' - u| between the unit vectors of travel before and after a step, from
+// speed * |u' - u| <= lateral_acceleration * step; 2 (any turn) at rest and for an instant base.
+double maxTurnChord(const VehicleParams& params, double speed, double step);
+
+// Direction of travel after turning from `heading` toward `desired` as far as the chord allows.
+double turnToward(double heading, double desired, double max_chord);
+
+// A velocity that runs from one value to another over a step.
+struct StepMotion {
+  Point start{0.0, 0.0};           // [m]
+  Point start_velocity{0.0, 0.0};  // [m/s]
+  Point end_velocity{0.0, 0.0};    // [m/s]
+  double end_heading = 0.0;        // [rad], of travel; kept when the base stops
+  double duration = 1.0;           // [s]
+  bool instant = true;             // velocity is end_velocity from the start
+
+  Point velocityAt(double time) const;
+  Point positionAt(double time) const;
+  VehicleState end() const;
+};
+
+// Motion of a base that ends the step at `speed` in direction `heading`; the turn is clamped to
+// what the base can do.
+StepMotion stepMotion(const VehicleParams& params, const VehicleState& from, double heading,
+                      double speed, double step);
+
+}  // namespace pomdp_crowd_nav
