@@ -39,7 +39,8 @@ class BeliefTracker {
   BeliefTracker(std::vector<Point> destinations, const Params& params);
 
   // Tracks that are not in the list are forgotten. A stamp older than the last one clears all
-  // beliefs first (the clock jumped back); the same stamp again changes positions only.
+  // beliefs first (the clock jumped back); the same stamp again changes positions only. Tracks
+  // without a finite position do not count, of two with one id the last does.
   void update(const TrackList& tracks);
   void clear();
 
@@ -51,6 +52,9 @@ class BeliefTracker {
     double stamp = 0.0;
     Point position{0.0, 0.0};
   };
+
+  PersonBelief newPerson(const Track& track) const;
+  void follow(const Track& track, double stamp, PersonBelief& person, LastUpdate& last) const;
 
   std::vector<Point> destinations_;
   Params params_;

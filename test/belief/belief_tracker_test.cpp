@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pomdp_crowd_nav/belief/belief_tracker.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace pomdp_crowd_nav {
+namespace {
+
+const std::vector<Point> kEnds = {{0.0, 0.0}, {10.0, 0.0}};
+const double kNan = std::numeric_limits<double>::quiet_NaN();
+
+Track track(std::int64_t id, double x, double vx = 0.0) { return {id, {x, 0.0}, {vx, 0.0}}; }
+
+double probabilityOfRight(const BeliefTracker& tracker, size_t person = 0) {
+  return tracker.belief().people.at(person).intention.probabilities().at(1);
+}
+
+BeliefTracker withOwnSpeeds() {
+  BeliefTracker::Params params;
+  params.walking_speed = 0.0;
+  return BeliefTracker(kEnds, params);
+}
+
+std::string messageFor(const BeliefTracker::Params& params) {
+  try {
+    BeliefTracker tracker(kEnds, params);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(BeliefTracker, UpdatesTwiceASecond) {
+  // Ten sweeps a second at 1 m/s, so a belief moves at 0.5 s (p = -0.5, 0.5; w = 1, 2) and at 1 s.
+  BeliefTracker tracker(kEnds, {});
+  for (int i = 0; i <= 10; ++i) {
+    tracker.update({0.1 * i, {track(7, 4.0 + 0.1 * i)}});
+    const double expected = i < 5 ? 1.0 / 2.0 : i < 10 ? 2.0 / 3.0 : 4.0 / 5.0;
+    EXPECT_NEAR(probabilityOfRight(tracker), expected, 1e-9) << "sweep " << i;
+    EXPECT_DOUBLE_EQ(tracker.belief().people[0].position.x(), 4.0 + 0.1 * i);
+  }
+  EXPECT_DOUBLE_EQ(tracker.belief().stamp, 1.0);
+}
+
+TEST(BeliefTracker, RoundsStampsOfTheYear2020) {
+  BeliefTracker tracker(kEnds, {});
+  for (int i = 0; i <= 5; ++i) tracker.update({1.6e9 + 0.1 * i, {track(7, 4.0 + 0.1 * i)}});
+  EXPECT_NEAR(probabilityOfRight(tracker), 2.0 / 3.0, 1e-6);
+}
+
+TEST(BeliefTracker, ForgetsWhoLeaves) {
+  BeliefTracker tracker(kEnds, {});
+  tracker.update({0.0, {track(1, 4.0), track(2, 4.0)}});
+  tracker.update({0.5, {track(2, 4.5)}});
+  ASSERT_EQ(tracker.belief().people.size(), 1u);
+  EXPECT_EQ(tracker.belief().people[0].id, 2);
+  EXPECT_NEAR(probabilityOfRight(tracker), 2.0 / 3.0, 1e-9);
+
+  tracker.update({1.0, {track(1, 5.0), track(2, 4.5)}});  // back again: uniform
+  ASSERT_EQ(tracker.belief().people.size(), 2u);
+  EXPECT_DOUBLE_EQ(probabilityOfRight(tracker, 0), 0.5);
+  EXPECT_NEAR(probabilityOfRight(tracker, 1), 2.0 / 3.0, 1e-9);
+}
+
+TEST(BeliefTracker, SortsByIdAndKeepsTheLastOfTwo) {
+  BeliefTracker tracker(kEnds, {});
+  tracker.update({0.0, {track(9, 1.0), track(-3, 2.0), track(9, 3.0)}});
+  const auto& people = tracker.belief().people;
+  ASSERT_EQ(people.size(), 2u);
+  EXPECT_EQ(people[0].id, -3);
+  EXPECT_EQ(people[1].id, 9);
+  EXPECT_DOUBLE_EQ(people[1].position.x(), 3.0);
+}
+
+TEST(BeliefTracker, StartsAgainWhenTheClockJumpsBack) {
+  BeliefTracker tracker(kEnds, {});
+  tracker.update({10.0, {track(1, 4.0)}});
+  tracker.update({10.5, {track(1, 4.5)}});
+  tracker.update({3.0, {track(1, 5.0)}});
+  EXPECT_DOUBLE_EQ(probabilityOfRight(tracker), 0.5);
+  EXPECT_DOUBLE_EQ(tracker.belief().stamp, 3.0);
+  tracker.update({3.5, {track(1, 5.5)}});  // and goes on from there
+  EXPECT_NEAR(probabilityOfRight(tracker), 2.0 / 3.0, 1e-9);
+}
+
+TEST(BeliefTracker, SameStampChangesPositionsOnly) {
+  BeliefTracker tracker(kEnds, {});
+  tracker.update({0.0, {track(1, 4.0)}});
+  tracker.update({0.5, {track(1, 4.5)}});
+  tracker.update({0.5, {track(1, 9.0)}});
+  EXPECT_NEAR(probabilityOfRight(tracker), 2.0 / 3.0, 1e-9);
+  EXPECT_DOUBLE_EQ(tracker.belief().people[0].position.x(), 9.0);
+}
+
+TEST(BeliefTracker, IgnoresWhatIsNotFinite) {
+  BeliefTracker tracker(kEnds, {});
+  tracker.update({0.0, {track(1, 4.0), {2, {0.0, kNan}, {0.0, 0.0}}}});
+  EXPECT_EQ(tracker.belief().people.size(), 1u);
+
+  tracker.update({kNan, {}});
+  EXPECT_EQ(tracker.belief().people.size(), 1u);
+  EXPECT_DOUBLE_EQ(tracker.belief().stamp, 0.0);
+
+  tracker.update({0.1, {track(1, 4.1, kNan)}});
+  EXPECT_DOUBLE_EQ(tracker.belief().people[0].velocity.norm(), 0.0);
+}
+
+TEST(BeliefTracker, StandingPersonStaysUniform) {
+  BeliefTracker tracker(kEnds, {});
+  for (int i = 0; i < 50; ++i) tracker.update({0.5 * i, {track(1, 3.0)}});
+  EXPECT_DOUBLE_EQ(probabilityOfRight(tracker), 0.5);
+  EXPECT_DOUBLE_EQ(tracker.belief().people[0].speed, 1.0);  // one speed for everybody
+}
+
+TEST(BeliefTracker, SmoothsOwnSpeeds) {
+  // First seen without a velocity: 1 m/s. Then 0.8 m in 0.5 s is 1.6 m/s, smoothed by one half:
+  // 1 + (1.6 - 1) / 2 = 1.3; then standing still: 0.65, 0.325.
+  BeliefTracker tracker = withOwnSpeeds();
+  tracker.update({0.0, {track(1, 4.0)}});
+  EXPECT_DOUBLE_EQ(tracker.belief().people[0].speed, 1.0);
+  tracker.update({0.5, {track(1, 4.8)}});
+  EXPECT_NEAR(tracker.belief().people[0].speed, 1.3, 1e-12);
+  tracker.update({0.7, {track(1, 4.8)}});  // no update is due
+  EXPECT_NEAR(tracker.belief().people[0].speed, 1.3, 1e-12);
+  tracker.update({1.0, {track(1, 4.8)}});
+  EXPECT_NEAR(tracker.belief().people[0].speed, 0.65, 1e-12);
+  tracker.update({1.5, {track(1, 4.8)}});
+  EXPECT_NEAR(tracker.belief().people[0].speed, 0.325, 1e-12);
+}
+
+TEST(BeliefTracker, OwnSpeedStartsAtTheTrackAndIsThatOfAPerson) {
+  BeliefTracker tracker = withOwnSpeeds();
+  tracker.update({0.0, {track(1, 4.0, -1.4), track(2, 0.0)}});
+  EXPECT_DOUBLE_EQ(tracker.belief().people[0].speed, 1.4);
+  EXPECT_DOUBLE_EQ(tracker.belief().people[0].velocity.x(), -1.4);
+  tracker.update({0.5, {track(1, 4.0, -1.4), track(2, 50.0)}});  // 100 m/s counts as 3
+  EXPECT_DOUBLE_EQ(tracker.belief().people[1].speed, 2.0);
+}
+
+TEST(BeliefTracker, ClearForgetsEverybody) {
+  BeliefTracker tracker(kEnds, {});
+  tracker.update({5.0, {track(1, 4.0)}});
+  tracker.clear();
+  EXPECT_TRUE(tracker.belief().people.empty());
+}
+
+TEST(BeliefTracker, NamesAWrongParameter) {
+  BeliefTracker::Params params;
+  params.update_period = -0.5;
+  EXPECT_EQ(messageFor(params), "belief.update_period must be positive, got -0.5");
+  params = {};
+  params.walking_speed = -1.5;
+  EXPECT_EQ(messageFor(params), "belief.walking_speed must not be negative, got -1.5");
+  params = {};
+  params.speed_smoothing = 1.5;
+  EXPECT_EQ(messageFor(params), "belief.speed_smoothing must be in (0, 1], got 1.5");
+  EXPECT_THROW(BeliefTracker({}, {}), std::invalid_argument);
+  EXPECT_THROW(BeliefTracker({{kNan, 0.0}}, {}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace pomdp_crowd_nav
