@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -39,6 +39,8 @@ struct OccupancyGrid {
   std::vector<char> blocked;  // rows * columns, non-zero where the robot must not be
 };
 
+class ObstacleIndex;
+
 // What stands still: a rectangle to drive in and the obstacles inside it.
 //
 // Immutable and thread-safe. The border of the bounds is no obstacle: leaving the field is a
@@ -60,8 +62,9 @@ class StaticMap {
   bool hasObstacles() const { return has_obstacles_; }
 
   // Distance to the nearest obstacle [m]: exact for circles and polygons, to the centre of the
-  // nearest blocked cell less half a cell for grids. Zero or less inside one, infinite on a map
-  // without obstacles.
+  // nearest blocked cell less half a cell for grids, taken at the centre of the cell that holds
+  // the point (off the grid: a lower limit). Zero or less inside one: minus the distance to the
+  // circle or the nearest polygon edge. Infinite on a map without obstacles.
   double clearance(const Point& point) const;
 
  private:
@@ -70,7 +73,8 @@ class StaticMap {
   Bounds bounds_;
   Obstacles obstacles_;
   bool has_obstacles_ = false;
-  std::vector<float> grid_distance_;  // [m], per grid cell
+  std::shared_ptr<const ObstacleIndex> index_;  // of circles and polygons
+  std::vector<float> grid_distance_;  // [m], per grid cell; empty when none is blocked
 };
 
 }  // namespace pomdp_crowd_nav
