@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace pomdp_crowd_nav {
+
+// What one action does in one scenario, and what the belief after it is worth.
+struct Branch {
+  float reward = 0.0F;
+  bool terminal = false;          // the scenario ends: observation and bounds are not read
+  std::uint64_t observation = 0;  // scenarios with equal keys stay in one belief
+  float lower = 0.0F;             // discounted return of the default policy from the next state
+  float upper = 0.0F;             // bound on the return of any policy from the next state
+};
+
+// Everything that a model says of one belief node at once, so that it can fill vector lanes with
+// actions and scenarios. Reused between expansions: `reset` keeps the memory.
+template <class Model>
+struct Expansion {
+  using State = typename Model::State;
+  using Action = typename Model::Action;
+
+  std::vector<Action> actions;   // legal at the node
+  std::vector<Branch> branches;  // action by action: branches[a * scenario_count + i]
+  // Next states: one per action where the model shares states, else parallel to branches.
+  std::vector<State> states;
+  long model_steps = 0;  // steps evaluated, roll-outs included
+
+  void reset() {
+    actions.clear();
+    branches.clear();
+    states.clear();
+    model_steps = 0;
+  }
+};
+
+// Fills an expansion from a model that thinks one scenario at a time, with
+//   Action set:  void actions(const State&, std::vector<Action>&) const
+//   Step:        Branch step(const State&, int scenario, int depth, const Action&, State& next)
+//   Leaf value:  void bound(const State&, int scenario, int depth, Branch&)
+template <class Model>
+void expandOneByOne(const Model& model, const typename Model::State* states, const int* scenarios,
+                    int scenario_count, int depth, Expansion<Model>& out) {
+  out.reset();
+  model.actions(states[0], out.actions);
+  for (const auto& action : out.actions) {
+    for (int i = 0; i < scenario_count; ++i) {
+      const auto& state = states[Model::kSharesState ? 0 : i];
+      typename Model::State next = state;
+      Branch branch = model.step(state, scenarios[i], depth, action, next);
+      ++out.model_steps;
+      if (!branch.terminal) model.bound(next, scenarios[i], depth + 1, branch);
+      out.branches.push_back(branch);
+      if (!Model::kSharesState || i == 0) out.states.push_back(next);
+    }
+  }
+}
+
+}  // namespace pomdp_crowd_nav

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <chrono>
+#include <limits>
+
+namespace pomdp_crowd_nav {
+
+// Knobs of the DESPOT search; symbols as in Ye, Somani, Hsu, Lee, "DESPOT: Online POMDP Planning
+// with Regularization", JAIR 2017.
+struct SearchParams {
+  int scenarios = 100;           // K, sampled futures
+  int max_depth = 100;           // D, steps a trial may descend
+  double discount = 0.97;        // gamma, per step
+  double regularization = 0.01;  // lambda, cost of one node of the policy tree
+  double target_gap = 0.95;      // xi, share of the root gap a trial tries to keep
+  int max_nodes = 4'000'000;     // belief nodes; the search stops before it grows past this
+};
+
+// Throws std::invalid_argument naming the first field that is out of range.
+void validate(const SearchParams& params);
+
+// When to stop: whichever comes first.
+struct SearchLimit {
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point deadline = Clock::time_point::max();
+  long max_trials = std::numeric_limits<long>::max();
+
+  static SearchLimit trials(long count) { return {Clock::time_point::max(), count}; }
+  static SearchLimit until(Clock::time_point time) {
+    return {time, std::numeric_limits<long>::max()};
+  }
+};
+
+}  // namespace pomdp_crowd_nav

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pomdp_crowd_nav/belief/belief_tracker.h"
+#include "pomdp_crowd_nav/despot/search_params.h"
+#include "pomdp_crowd_nav/despot/search_result.h"
+#include "pomdp_crowd_nav/pomdp/action.h"
+#include "pomdp_crowd_nav/pomdp/model_params.h"
+#include "pomdp_crowd_nav/prior/prior_factory.h"
+
+namespace pomdp_crowd_nav {
+
+// What every planner may need; each takes its part.
+struct PlannerParams {
+  ModelParams model;
+  // Depth and discount are taken from the model.
+  SearchParams search;
+  PriorParams prior;
+  int pedestrians = 6;              // n_ped, people whose future is searched
+  double attention_angle = M_PI;    // [rad], half angle of the cone around the direction of travel
+  std::uint64_t seed = 1;           // of the sampled futures
+};
+
+// Throws std::invalid_argument naming the first field that is out of range.
+void validate(const PlannerParams& params);
+
+// The world at the moment a decision takes effect.
+struct Situation {
+  VehicleState vehicle;
+  CrowdBelief crowd;
+};
+
+struct Decision {
+  Action action;
+  StepMotion motion;                // what the action does in the next step
+  std::vector<VehicleState> plan;   // states at the steps of the planned branch, from the start
+  std::vector<std::int64_t> attended;  // ids of the people whose futures were searched
+  SearchStatistics search;
+  double wall_time = 0.0;  // [s], of the whole decision
+};
+
+// A search tree to look at: an edge is one step of the robot in one belief.
+struct TreeEdge {
+  Point from{0.0, 0.0};
+  Point to{0.0, 0.0};
+  float value = 0.0F;  // lower bound of the belief at `to`, per scenario, as seen from that belief
+  float weight = 0.0F;  // share of the scenarios
+  int depth = 0;       // of `to`
+};
+struct TreeView {
+  std::vector<TreeEdge> edges;
+  std::vector<std::vector<Point>> rollouts;  // paths of the default policy from the best leaves
+};
+
+// Chooses what the robot does in the next step. One planner serves one map and one goal.
+// Not thread-safe: one thread decides and views.
+class Planner {
+ public:
+  virtual ~Planner() = default;
+
+  // Ends by the limit's deadline; the same situation, seed and trial limit give the same decision.
+  virtual Decision decide(const Situation& situation, const SearchLimit& limit) = 0;
+
+  // The tree of the last decision, the beliefs with most scenarios first.
+  virtual TreeView viewTree(int max_edges) const = 0;
+
+  // Path to the goal if nobody were about; starts at `from`, ends at the goal or where no way on
+  // is known.
+  virtual std::vector<Point> globalPath(const Point& from) const = 0;
+};
+
+}  // namespace pomdp_crowd_nav

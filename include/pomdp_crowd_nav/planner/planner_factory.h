@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "pomdp_crowd_nav/planner/planner.h"
+#include "pomdp_crowd_nav/world/static_map.h"
+
+namespace pomdp_crowd_nav {
+
+// Where a planner drives, and where the people around it may be heading.
+struct Task {
+  const StaticMap& map;
+  Point goal{0.0, 0.0};             // [m]
+  std::vector<Point> destinations;  // [m], of people
+};
+
+// Names that makePlanner knows.
+std::vector<std::string> plannerNames();
+
+// Throws std::invalid_argument for an unknown name (listing the known), a parameter out of range,
+// and a goal that is off the map or too close to an obstacle.
+std::unique_ptr<Planner> makePlanner(const std::string& name, const Task& task,
+                                     const PlannerParams& params);
+
+}  // namespace pomdp_crowd_nav

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pomdp_crowd_nav/pomdp/crowd_futures.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pomdp_crowd_nav {
+namespace {
+
+constexpr int kDestinationDepth = 0;  // noise depth that draws destinations; steps start at 1
+
+Point clampTo(const Bounds& bounds, const Point& p) {
+  return p.cwiseMax(bounds.min).cwiseMin(bounds.max);
+}
+
+// One round of FNV-1a over a cell index of the 1 m grid.
+std::uint64_t addCell(std::uint64_t key, const CrowdFutures::Place& place) {
+  const auto cell_x = static_cast<std::uint32_t>(static_cast<std::int32_t>(std::floor(place.x)));
+  const auto cell_y = static_cast<std::uint32_t>(static_cast<std::int32_t>(std::floor(place.y)));
+  const std::uint64_t cell = (static_cast<std::uint64_t>(cell_x) << 32) | cell_y;
+  key = (key ^ cell) * 0x9E3779B97F4A7C15ULL;
+  return key ^ (key >> 29);
+}
+
+}  // namespace
+
+void CrowdFutures::draw(const Shape& shape, const std::vector<PersonBelief>& people,
+                        const std::vector<Point>& destinations, const PedestrianModel& model,
+                        const NoiseStreams& noise) {
+  scenario_count_ = shape.scenarios;
+  depth_ = shape.depth;
+  person_count_ = static_cast<int>(people.size());
+  const size_t moments = static_cast<size_t>(scenario_count_) * (depth_ + 1);
+  places_.resize(moments * person_count_);
+  observations_.assign(moments, 0xCBF29CE484222325ULL);
+
+  for (int k = 0; k < scenario_count_; ++k) {
+    for (int i = 0; i < person_count_; ++i) {
+      const size_t destination =
+          people[i].intention.sample(noise.uniform(k, kDestinationDepth, i));
+      Pedestrian walker{people[i].position, destinations[destination], people[i].speed};
+      for (int d = 0; d <= depth_; ++d) {
+        const size_t moment = static_cast<size_t>(k) * (depth_ + 1) + d;
+        Place& place = places_[moment * person_count_ + i];
+        place = {static_cast<float>(walker.position.x()), static_cast<float>(walker.position.y())};
+        observations_[moment] = addCell(observations_[moment], place);
+        const double draw = 2.0 * noise.uniform(k, d + 1, i) - 1.0;
+        walker.position = clampTo(shape.bounds, model.advance(walker, shape.step, draw));
+      }
+    }
+  }
+}
+
+}  // namespace pomdp_crowd_nav
