@@ -10,7 +10,7 @@ namespace pomdp_crowd_nav {
 
 // What the search needs to know of a place, sampled at the cell's centre. 16 bytes: one access.
 struct NavigationCell {
-  float direction_x = 0.0F;       // unit vector of travel toward the goal, (0, 0) if unreachable
+  float direction_x = 0.0F;  // unit vector of travel toward the goal, (0, 0) if unreachable
   float direction_y = 0.0F;
   float clearance = 0.0F;         // [m] to the nearest obstacle, 1e6 on a map without
   float distance_to_goal = 0.0F;  // [m] along the prior's path, 1e6 if unreachable

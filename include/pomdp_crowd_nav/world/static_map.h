@@ -74,7 +74,7 @@ class StaticMap {
   Obstacles obstacles_;
   bool has_obstacles_ = false;
   std::shared_ptr<const ObstacleIndex> index_;  // of circles and polygons
-  std::vector<float> grid_distance_;  // [m], per grid cell; empty when none is blocked
+  std::vector<float> grid_distance_;            // [m], per grid cell; empty when none is blocked
 };
 
 }  // namespace pomdp_crowd_nav

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+namespace pomdp_crowd_nav {
+
+// The marching itself: accept() the cells where the front starts, run(), read the result.
+//
+// The cells lie in flat arrays with a frame two cells wide around them, which is never entered,
+// so that no neighbour needs a test for the border. The queue of trial cells is a binary heap
+// that keeps outdated entries and drops them when they come up.
+class FastMarching {
+ public:
+  // `speed` [m/s] row by row, positive; `resolution` [m] per cell.
+  FastMarching(const std::vector<float>& speed, int columns, int rows, double resolution);
+
+  // Fixes the arrival time [s] and path length [m] of a cell before the march.
+  void accept(int column, int row, double time, double path_length);
+
+  void run();
+
+  // Row by row, without the frame.
+  std::vector<float> times() const { return withoutFrame(time_); }
+  std::vector<float> pathLengths() const { return withoutFrame(path_length_); }
+
+ private:
+  struct Trial {
+    float time;
+    int cell;
+    bool operator<(const Trial& other) const { return time > other.time; }  // earliest on top
+  };
+  // Accepted values upwind along one axis: weight * (T - time)^2 is the squared difference.
+  struct Upwind {
+    double weight = 0.0;       // 0 without an accepted neighbour
+    double time = 0.0;         // [s]
+    double path_length = 0.0;  // [m]
+    double nearest = 0.0;      // [s], of the neighbour itself
+  };
+  struct Arrival {
+    double time;         // [s], infinite without a causal solution
+    double path_length;  // [m]
+  };
+
+  static constexpr int kFrame = 2;
+
+  int cellAt(int column, int row) const { return (row + kFrame) * stride_ + column + kFrame; }
+  void updateNeighbours(int cell);
+  void update(int cell);
+  Upwind upwind(int cell, int axis_step, bool second_order) const;
+  Arrival arrival(int cell) const;
+  static Arrival solve(const Upwind& x, const Upwind& y, double crossing_time, double resolution);
+  std::vector<float> withoutFrame(const std::vector<float>& values) const;
+
+  int columns_, rows_, stride_;
+  double resolution_;
+  std::vector<float> crossing_time_;  // [s], of a cell; 0 in the frame
+  std::vector<float> time_;           // [s], infinite until accepted
+  std::vector<float> trial_time_;     // [s], best so far; 0 once accepted and in the frame
+  std::vector<float> path_length_;    // [m]
+  std::vector<Trial> queue_;
+};
+
+}  // namespace pomdp_crowd_nav

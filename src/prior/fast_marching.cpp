@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pomdp_crowd_nav/prior/fast_marching.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pomdp_crowd_nav {
+namespace {
+
+constexpr float kNever = std::numeric_limits<float>::infinity();
+
+}  // namespace
+
+FastMarching::FastMarching(const std::vector<float>& speed, int columns, int rows,
+                           double resolution)
+    : columns_(columns),
+      rows_(rows),
+      stride_(columns + 2 * kFrame),
+      resolution_(resolution),
+      crossing_time_(static_cast<size_t>(stride_) * (rows + 2 * kFrame), 0.0F),
+      time_(crossing_time_.size(), kNever),
+      trial_time_(crossing_time_.size(), 0.0F),
+      path_length_(crossing_time_.size(), 0.0F) {
+  const float* next = speed.data();
+  for (int row = 0; row < rows; ++row) {
+    for (int cell = cellAt(0, row); cell < cellAt(columns, row); ++cell) {
+      crossing_time_[cell] = static_cast<float>(resolution / *next++);
+      trial_time_[cell] = kNever;
+    }
+  }
+}
+
+void FastMarching::accept(int column, int row, double time, double path_length) {
+  const int cell = cellAt(column, row);
+  time_[cell] = static_cast<float>(time);
+  path_length_[cell] = static_cast<float>(path_length);
+  trial_time_[cell] = 0.0F;
+}
+
+void FastMarching::run() {
+  for (int row = 0; row < rows_; ++row) {
+    for (int cell = cellAt(0, row); cell < cellAt(columns_, row); ++cell) {
+      if (time_[cell] != kNever) updateNeighbours(cell);
+    }
+  }
+  while (!queue_.empty()) {
+    const Trial earliest = queue_.front();
+    std::pop_heap(queue_.begin(), queue_.end());
+    queue_.pop_back();
+    if (earliest.time != trial_time_[earliest.cell]) continue;  // improved since, or accepted
+    time_[earliest.cell] = earliest.time;
+    trial_time_[earliest.cell] = 0.0F;
+    updateNeighbours(earliest.cell);
+  }
+}
+
+void FastMarching::updateNeighbours(int cell) {
+  update(cell - 1);
+  update(cell + 1);
+  update(cell - stride_);
+  update(cell + stride_);
+}
+
+void FastMarching::update(int cell) {
+  if (trial_time_[cell] == 0.0F) return;
+  const Arrival found = arrival(cell);
+  const auto time = static_cast<float>(found.time);
+  if (!(time < trial_time_[cell])) return;
+  trial_time_[cell] = time;
+  path_length_[cell] = static_cast<float>(found.path_length);
+  queue_.push_back({time, cell});
+  std::push_heap(queue_.begin(), queue_.end());
+}
+
+// A second-order difference needs a second cell in line that was reached before the first. The
+// front may also not have been much slower there than it is here: across a jump in speed T has a
+// kink, and the extra point would carry the slope of the far side over to this one.
+FastMarching::Upwind FastMarching::upwind(int cell, int axis_step, bool second_order) const {
+  const int step = time_[cell - axis_step] <= time_[cell + axis_step] ? -axis_step : axis_step;
+  const double first = time_[cell + step];
+  if (first == kNever) return {};
+  const double second = time_[cell + 2 * step];
+  const double length = path_length_[cell + step];
+  constexpr double kKink = 1.5;
+  if (!second_order || second > first || first - second > kKink * crossing_time_[cell]) {
+    return {1.0, first, length, first};
+  }
+  const double second_length = path_length_[cell + 2 * step];
+  return {2.25, (4.0 * first - second) / 3.0, (4.0 * length - second_length) / 3.0, first};
+}
+
+// The most accurate causal solution: both axes before one, second order before first.
+FastMarching::Arrival FastMarching::arrival(int cell) const {
+  const double crossing_time = crossing_time_[cell];
+  Arrival best{kNever, 0.0};
+  for (const bool second_order : {true, false}) {
+    const Upwind x = upwind(cell, 1, second_order);
+    const Upwind y = upwind(cell, stride_, second_order);
+    if (x.weight > 0.0 && y.weight > 0.0) {
+      const Arrival both = solve(x, y, crossing_time, resolution_);
+      if (both.time != kNever) return both;
+    }
+    for (const Upwind& axis : {x, y}) {
+      if (axis.weight == 0.0) continue;
+      const Arrival one = solve(axis, {}, crossing_time, resolution_);
+      if (one.time < best.time) best = one;
+    }
+  }
+  return best;
+}
+
+// Larger root T of sum weight (T - time)^2 = crossing_time^2. The path length l changes along the
+// gradient of T only: sum weight (T - time) (l - path_length) = crossing_time * resolution.
+FastMarching::Arrival FastMarching::solve(const Upwind& x, const Upwind& y, double crossing_time,
+                                          double resolution) {
+  const double weight = x.weight + y.weight;
+  const double lag = y.weight > 0.0 ? y.time - x.time : 0.0;
+  const double discriminant =
+      weight * crossing_time * crossing_time - x.weight * y.weight * lag * lag;
+  if (discriminant < 0.0) return {kNever, 0.0};
+  const double time = x.time + (y.weight * lag + std::sqrt(discriminant)) / weight;
+  if (time < std::max(x.nearest, y.nearest)) return {kNever, 0.0};
+
+  const double slope_x = x.weight * (time - x.time);
+  const double slope_y = y.weight * (time - y.time);
+  const double length =
+      (crossing_time * resolution + slope_x * x.path_length + slope_y * y.path_length) /
+      (slope_x + slope_y);
+  return {time, length};
+}
+
+std::vector<float> FastMarching::withoutFrame(const std::vector<float>& values) const {
+  std::vector<float> inner;
+  inner.reserve(static_cast<size_t>(columns_) * rows_);
+  for (int row = 0; row < rows_; ++row) {
+    const auto first = values.begin() + cellAt(0, row);
+    inner.insert(inner.end(), first, first + columns_);
+  }
+  return inner;
+}
+
+}  // namespace pomdp_crowd_nav

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pomdp_crowd_nav/prior/grid_frame.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace pomdp_crowd_nav {
+namespace {
+
+int clampedFloor(double value, int least, int most) {
+  return static_cast<int>(std::clamp(std::floor(value), double(least), double(most)));
+}
+
+// A length that is a whole number of cells but for rounding gets no extra cell.
+double cellsToCover(double length, double resolution) {
+  return std::max(2.0, std::ceil(length / resolution - 1e-6));
+}
+
+}  // namespace
+
+bool GridFrame::contains(const Point& point) const {
+  const Point cells = (point - origin) / resolution;
+  return cells.x() >= 0.0 && cells.x() <= columns && cells.y() >= 0.0 && cells.y() <= rows;
+}
+
+int GridFrame::columnOf(const Point& point) const {
+  return clampedFloor((point.x() - origin.x()) / resolution, 0, columns - 1);
+}
+
+int GridFrame::rowOf(const Point& point) const {
+  return clampedFloor((point.y() - origin.y()) / resolution, 0, rows - 1);
+}
+
+BilinearWeights bilinearWeights(const GridFrame& grid, const Point& point) {
+  const double x = (point.x() - grid.origin.x()) / grid.resolution - 0.5;
+  const double y = (point.y() - grid.origin.y()) / grid.resolution - 0.5;
+  const int column = clampedFloor(x, 0, grid.columns - 2);
+  const int row = clampedFloor(y, 0, grid.rows - 2);
+  return {grid.index(column, row), x - column, y - row};
+}
+
+double interpolate(const GridFrame& grid, const std::vector<float>& values, const Point& point) {
+  const BilinearWeights w = bilinearWeights(grid, point);
+  const float* lower = &values[w.lower_left];
+  const float* upper = lower + grid.columns;
+  const double below = (1.0 - w.right) * lower[0] + w.right * lower[1];
+  const double above = (1.0 - w.right) * upper[0] + w.right * upper[1];
+  return (1.0 - w.up) * below + w.up * above;
+}
+
+GridFrame coveringGrid(const Bounds& bounds, double resolution) {
+  if (!(resolution > 0.0)) {
+    throw std::invalid_argument(
+        fmt::format("grid resolution must be positive, got {}", resolution));
+  }
+  constexpr double kMostCells = 1e8;
+  const Point size = bounds.max - bounds.min;
+  const double columns = cellsToCover(size.x(), resolution);
+  const double rows = cellsToCover(size.y(), resolution);
+  if (columns * rows > kMostCells) {
+    throw std::invalid_argument(fmt::format("grid resolution {} m gives {} cells, more than {}",
+                                            resolution, columns * rows, kMostCells));
+  }
+  return {bounds.min, resolution, static_cast<int>(columns), static_cast<int>(rows)};
+}
+
+}  // namespace pomdp_crowd_nav

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pomdp_crowd_nav/prior/prior_factory.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "pomdp_crowd_nav/prior/fast_marching_prior.h"
+#include "pomdp_crowd_nav/prior/straight_line_prior.h"
+
+namespace pomdp_crowd_nav {
+namespace {
+
+using PriorPtr = std::shared_ptr<const RolloutPrior>;
+
+PriorPtr makeFastMarching(const StaticMap& map, const Point& goal, const PriorParams& params) {
+  return std::make_shared<FastMarchingPrior>(map, goal, params);
+}
+
+PriorPtr makeStraightLine(const StaticMap&, const Point& goal, const PriorParams&) {
+  return std::make_shared<StraightLinePrior>(goal);
+}
+
+struct Entry {
+  const char* name;
+  PriorPtr (*make)(const StaticMap& map, const Point& goal, const PriorParams& params);
+};
+
+// A new prior is one more line here.
+constexpr Entry kPriors[] = {
+    {"fast_marching", makeFastMarching},
+    {"straight_line", makeStraightLine},
+};
+
+void requireFreeGoal(const StaticMap& map, const Point& goal) {
+  if (!map.bounds().contains(goal)) {
+    throw std::invalid_argument(fmt::format("goal ({}, {}) is off the map", goal.x(), goal.y()));
+  }
+  if (map.clearance(goal) > 0.0) return;
+  throw std::invalid_argument(
+      fmt::format("goal ({}, {}) is inside an obstacle", goal.x(), goal.y()));
+}
+
+}  // namespace
+
+std::vector<std::string> priorNames() {
+  std::vector<std::string> names;
+  for (const Entry& entry : kPriors) names.emplace_back(entry.name);
+  return names;
+}
+
+std::shared_ptr<const RolloutPrior> makePrior(const std::string& name, const StaticMap& map,
+                                              const Point& goal, const PriorParams& params) {
+  std::string known;
+  for (const Entry& entry : kPriors) {
+    if (name == entry.name) {
+      requireFreeGoal(map, goal);
+      return entry.make(map, goal, params);
+    }
+    known += (known.empty() ? "" : ", ") + std::string(entry.name);
+  }
+  throw std::invalid_argument(fmt::format("unknown prior \"{}\", known are: {}", name, known));
+}
+
+}  // namespace pomdp_crowd_nav
