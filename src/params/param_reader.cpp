@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "pomdp_crowd_nav/params/number_text.h"
+
 namespace pomdp_crowd_nav {
 namespace {
 
@@ -40,12 +42,6 @@ std::string closest(const std::string& key, const std::set<std::string>& known) 
   return best;
 }
 
-std::string inBrackets(const std::vector<double>& numbers) {
-  std::string text;
-  for (double number : numbers) text += fmt::format(text.empty() ? "{:g}" : ", {:g}", number);
-  return "[" + text + "]";
-}
-
 }  // namespace
 
 template <typename T>
@@ -75,7 +71,7 @@ bool ParamReader::read(const std::string& key, std::vector<Point>& field) {
   if (!readAs(key, rows)) return false;
   std::vector<Point> points;
   for (const auto& row : rows) {
-    if (row.size() != 2) fail(key, "a list of [x, y]", inBrackets(row));
+    if (row.size() != 2) fail(key, "a list of [x, y]", toText(row));
     points.emplace_back(row[0], row[1]);
   }
   field = std::move(points);

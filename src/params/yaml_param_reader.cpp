@@ -10,7 +10,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "pomdp_crowd_nav/params/parse_number.h"
+#include "pomdp_crowd_nav/params/number_text.h"
 
 namespace pomdp_crowd_nav {
 namespace {

@@ -22,7 +22,8 @@ class PersonSensor {
   // Throws std::invalid_argument for a parameter out of range.
   PersonSensor(const Params& params, std::uint64_t seed);
 
-  // Everybody in range of `from`; velocities come from this sensor's own earlier sweeps.
+  // Everybody in range of `from`; velocities come from this sensor's own earlier sweeps and are
+  // zero for somebody new. `stamp` is the time of the sightings.
   TrackList sweep(const Point& from, const std::vector<Walker>& sighted, double stamp);
   void reset();  // forgets earlier sweeps
 
@@ -31,6 +32,10 @@ class PersonSensor {
     double stamp;
     Point position;
   };
+
+  void forget(const std::vector<Walker>& sighted, double stamp);
+  Point measured(const Point& position);
+  Point velocity(const std::vector<Sighting>& history, const Point& position, double stamp) const;
 
   Params params_;
   std::mt19937_64 random_;

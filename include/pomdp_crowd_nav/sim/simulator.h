@@ -35,6 +35,8 @@ class Simulator {
 
   void placeRobot(const Pose& pose);  // at rest
 
+  // Stamped with the time of the sightings, which can be earlier than `time`: with the last tick
+  // of a generated crowd, with the last sample of a recorded one.
   TrackList sense();
 
   double time() const { return time_; }  // [s] since the start
@@ -43,6 +45,8 @@ class Simulator {
   const World& world() const { return world_; }
 
  private:
+  void moveBase(double until);
+
   World world_;
   Params params_;
   SimulatedBase base_;

@@ -15,10 +15,10 @@ struct World {
   Bounds bounds;
   StaticMap::Obstacles obstacles;
   Pose start;
-  Point goal{0.0, 0.0};             // [m]
-  std::vector<Point> destinations;  // [m], where people walk to
-  std::string tracks_file;          // CSV of recorded people; empty: people are generated
-  double tracks_start_time = 0.0;   // [s], time in the recording at which the replay starts
+  Point goal{0.0, 0.0};                // [m]
+  std::vector<Point> destinations;     // [m], where people walk to
+  std::string tracks_file;             // CSV of recorded people; empty: people are generated
+  double tracks_start_time = 0.0;      // [s], time in the recording at which the replay starts
   std::vector<std::int64_t> left_out;  // ids of recorded people whom the robot replaces
 
   StaticMap map() const { return StaticMap(bounds, obstacles); }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace pomdp_crowd_nav {
 
@@ -11,5 +12,8 @@ namespace pomdp_crowd_nav {
 // number that is not finite and for one that does not fit the type.
 std::optional<double> parseDouble(const std::string& text);
 std::optional<std::int64_t> parseInteger(const std::string& text);
+
+// "[1, 2.5]", for messages.
+std::string toText(const std::vector<double>& numbers);
 
 }  // namespace pomdp_crowd_nav

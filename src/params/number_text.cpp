@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pomdp_crowd_nav/params/parse_number.h"
+#include "pomdp_crowd_nav/params/number_text.h"
+
+#include <fmt/format.h>
 
 #include <cmath>
 #include <locale>
@@ -27,6 +29,12 @@ std::optional<double> parseDouble(const std::string& text) {
 
 std::optional<std::int64_t> parseInteger(const std::string& text) {
   return parseWhole<std::int64_t>(text);
+}
+
+std::string toText(const std::vector<double>& numbers) {
+  std::string text;
+  for (double number : numbers) text += fmt::format(text.empty() ? "{:g}" : ", {:g}", number);
+  return "[" + text + "]";
 }
 
 }  // namespace pomdp_crowd_nav
