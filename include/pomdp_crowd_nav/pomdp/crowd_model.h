@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "pomdp_crowd_nav/despot/expansion.h"
+#include "pomdp_crowd_nav/pomdp/action.h"
+#include "pomdp_crowd_nav/pomdp/robot_state.h"
+#include "pomdp_crowd_nav/pomdp/rollout_policy.h"
+#include "pomdp_crowd_nav/pomdp/upper_bound.h"
+
+namespace pomdp_crowd_nav {
+
+// The navigation POMDP as a model for the DESPOT search: actions in vector lanes, people from the
+// table of futures, leaves valued by roll-outs along the prior.
+//
+// Refers to the field and the futures, which must outlive it. Its expand is const and thread-safe.
+class CrowdModel {
+ public:
+  using State = RobotState;
+  using Action = pomdp_crowd_nav::Action;
+  static constexpr bool kSharesState = true;  // the robot's state; people are in the futures
+
+  CrowdModel(const ModelParams& params, const NavigationField& field, const CrowdFutures& futures);
+
+  void expand(const RobotState* states, const int* scenarios, int count, int depth,
+              Expansion<CrowdModel>& out) const;
+  void rootBounds(const RobotState* states, const int* scenarios, int count, double& lower,
+                  double& upper) const;
+
+  // What the default policy does at the root, as a legal action.
+  Action defaultAction(const RobotState* state) const;
+
+  const std::vector<Action>& legalActions(const RobotState& state) const;
+
+  // Speed after an action [m/s].
+  float speedAfter(const RobotState& state, const Action& action) const;
+
+  // Where an action takes the robot, people left aside.
+  RobotState move(const RobotState& state, const Action& action) const;
+
+  // One action in one scenario, lane by lane code on a single float: the twin of `expand` for
+  // tests, and the model's step for anybody who wants a single one.
+  Branch step(const RobotState& state, int scenario, int depth, const Action& action,
+              RobotState& next) const;
+
+  const StepConstants& constants() const { return constants_; }
+
+ private:
+  MoveLanes<float> moveOne(const RobotState& state, const Action& action) const;
+  float beyondHorizon(const RobotState& state) const;
+
+  ModelParams params_;
+  const NavigationField& field_;
+  const CrowdFutures& futures_;
+  StepConstants constants_;
+  UpperBound upper_bound_;
+  ActionSets action_sets_;
+};
+
+}  // namespace pomdp_crowd_nav

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include "pomdp_crowd_nav/pomdp/crowd_futures.h"
+#include "pomdp_crowd_nav/pomdp/lanes.h"
+#include "pomdp_crowd_nav/pomdp/model_params.h"
+#include "pomdp_crowd_nav/prior/navigation_field.h"
+
+// One step of the POMDP's generative model G (paper, section Generative Model), as formulas on
+// a Value that is one float or sixteen. All lanes of one call are robots in the same scenario at
+// the same depth, so that they meet the same people.
+namespace pomdp_crowd_nav {
+
+// ModelParams turned into what a step multiplies with.
+struct StepConstants {
+  float max_speed, speed_step, brake_step;  // [m/s], brake_step: lost in a step of sudden brake
+  float turn_speed;                         // [m/s], lateral velocity change in a step
+  float end_old, end_new;  // [s], displacement at the end of a step per old and new velocity
+  float mid_old, mid_new;  // [s], the same half a step in
+  float goal_x, goal_y, goal_tolerance_sq;
+  float min_x, min_y, max_x, max_y;
+  float pedestrian_clearance_sq, obstacle_clearance;
+  float near_sq, far_sq;
+  float goal_reward, pedestrian_penalty, obstacle_penalty, brake_penalty;
+  float time_cost, low_speed_cost;  // per step; low_speed_cost at rest
+  float discount;
+  bool has_obstacles;
+
+  StepConstants(const ModelParams& params, const NavigationField& field);
+};
+
+template <class Value>
+struct RobotLanes {
+  Value x, y, direction_x, direction_y, speed;
+};
+
+// What the field says at the robots' places.
+template <class Value>
+struct FieldLanes {
+  Value direction_x, direction_y, clearance;
+};
+
+// Where a step takes the robots, people left aside.
+template <class Value>
+struct MoveLanes {
+  using Mask = typename MaskOf<Value>::Type;
+  RobotLanes<Value> end;
+  Value mid_x, mid_y;
+  FieldLanes<Value> field;  // at the end
+  Mask ends_outside;
+  Mask hits_obstacle;
+};
+
+PCN_INLINE FieldLanes<float> lookUp(const NavigationField& field, float x, float y) {
+  const NavigationCell& cell = field.at(x, y);
+  return {cell.direction_x, cell.direction_y, cell.clearance};
+}
+
+PCN_INLINE FieldLanes<Lanes> lookUp(const NavigationField& field, const Lanes& x, const Lanes& y) {
+  const float scale = field.cellsPerMeter();
+  const Lanes zero = spread<Lanes>(0.0F);
+  const Lanes last_column = spread<Lanes>(static_cast<float>(field.columns() - 1));
+  const Lanes last_row = spread<Lanes>(static_cast<float>(field.rows() - 1));
+  const Lanes column =
+      smaller(larger((x - static_cast<float>(field.bounds().min.x())) * scale, zero), last_column);
+  const Lanes row =
+      smaller(larger((y - static_cast<float>(field.bounds().min.y())) * scale, zero), last_row);
+  const LaneMask cell = __builtin_convertvector(row, LaneMask) * field.columns() +
+                        __builtin_convertvector(column, LaneMask);
+  FieldLanes<Lanes> found;
+  for (int i = 0; i < kLanes; ++i) {
+    const NavigationCell& place = field.cells()[cell[i]];
+    found.direction_x[i] = place.direction_x;
+    found.direction_y[i] = place.direction_y;
+    found.clearance[i] = place.clearance;
+  }
+  return found;
+}
+
+// R_t + R_speed: what a step costs that starts at `speed`.
+template <class Value>
+PCN_INLINE Value stepCost(const StepConstants& c, const Value& speed) {
+  return c.time_cost + c.low_speed_cost * ((c.max_speed - speed) * (1.0F / c.max_speed));
+}
+
+template <class Value>
+PCN_INLINE Value goalDistanceSq(const StepConstants& c, const Value& x, const Value& y) {
+  const Value dx = c.goal_x - x;
+  const Value dy = c.goal_y - y;
+  return dx * dx + dy * dy;
+}
+
+// Turns the direction of travel toward a desired one as far as lateral acceleration allows:
+// speed * |u' - u| <= turn_speed (see maxTurnChord).
+template <class Value>
+PCN_INLINE void turn(const StepConstants& c, const RobotLanes<Value>& robot, Value& to_x,
+                     Value& to_y) {
+  const Value dot = robot.direction_x * to_x + robot.direction_y * to_y;
+  const Value cross = robot.direction_x * to_y - robot.direction_y * to_x;
+  const Value speed = larger(robot.speed, spread<Value>(1e-6F));
+  const Value chord = smaller(c.turn_speed / speed, spread<Value>(2.0F));
+  const Value cosine = 1.0F - 0.5F * chord * chord;
+  const Value half = larger(1.0F - 0.25F * chord * chord, spread<Value>(0.0F));
+  const Value sine_size = chord * squareRoot(half);
+  const Value sine = select(cross < 0.0F, -sine_size, sine_size);
+  const Value turned_x = robot.direction_x * cosine - robot.direction_y * sine;
+  const Value turned_y = robot.direction_x * sine + robot.direction_y * cosine;
+  const auto reachable = dot >= cosine - 1e-6F;
+  to_x = select(reachable, to_x, turned_x);
+  to_y = select(reachable, to_y, turned_y);
+}
+
+// Moves robots to `new_speed` in direction (to_x, to_y). Where `stops_at_goal`, a robot that
+// would pass the goal ends on it. `here` is the field at the start.
+template <class Value>
+PCN_INLINE MoveLanes<Value> moveRobots(const StepConstants& c, const NavigationField& field,
+                                       const RobotLanes<Value>& robot,
+                                       const FieldLanes<Value>& here, const Value& new_speed,
+                                       Value to_x, Value to_y,
+                                       const typename MaskOf<Value>::Type& stops_at_goal) {
+  if (c.turn_speed < 1e6F) turn(c, robot, to_x, to_y);
+  const Value old_x = robot.speed * robot.direction_x;
+  const Value old_y = robot.speed * robot.direction_y;
+  const Value new_x = new_speed * to_x;
+  const Value new_y = new_speed * to_y;
+  Value end_dx = c.end_old * old_x + c.end_new * new_x;
+  Value end_dy = c.end_old * old_y + c.end_new * new_y;
+  Value mid_dx = c.mid_old * old_x + c.mid_new * new_x;
+  Value mid_dy = c.mid_old * old_y + c.mid_new * new_y;
+  const Value goal_dx = c.goal_x - robot.x;
+  const Value goal_dy = c.goal_y - robot.y;
+  const auto passes = stops_at_goal & ((end_dx * end_dx + end_dy * end_dy) >=
+                                       (goal_dx * goal_dx + goal_dy * goal_dy));
+  end_dx = select(passes, goal_dx, end_dx);
+  end_dy = select(passes, goal_dy, end_dy);
+  mid_dx = select(passes, 0.5F * goal_dx, mid_dx);
+  mid_dy = select(passes, 0.5F * goal_dy, mid_dy);
+
+  MoveLanes<Value> move;
+  move.mid_x = robot.x + mid_dx;
+  move.mid_y = robot.y + mid_dy;
+  move.end = {robot.x + end_dx, robot.y + end_dy, to_x, to_y, new_speed};
+  const auto moves = (end_dx * end_dx + end_dy * end_dy) > 0.0F;
+  move.ends_outside = moves & ((move.end.x < c.min_x) | (move.end.x > c.max_x) |
+                               (move.end.y < c.min_y) | (move.end.y > c.max_y));
+  move.field = lookUp(field, move.end.x, move.end.y);
+  move.hits_obstacle = moves & (new_speed < 0.0F);  // nobody
+  if (c.has_obstacles) {
+    // Moving out of the margin is allowed to who is in it already.
+    const Value margin = smaller(spread<Value>(c.obstacle_clearance), here.clearance - 1e-3F);
+    const Value mid = lookUp(field, move.mid_x, move.mid_y).clearance;
+    move.hits_obstacle = moves & ((mid <= margin) | (move.field.clearance <= margin));
+  }
+  return move;
+}
+
+// Smallest squared distance of each robot to anybody, half a step in and at its end; people walk
+// straight from `from` to `to`.
+template <class Value>
+PCN_INLINE void meetPeople(const MoveLanes<Value>& move, const CrowdFutures::Place* from,
+                           const CrowdFutures::Place* to, int count, Value& mid_sq,
+                           Value& end_sq) {
+  for (int i = 0; i < count; ++i) {
+    const Value mid_dx = move.mid_x - 0.5F * (from[i].x + to[i].x);
+    const Value mid_dy = move.mid_y - 0.5F * (from[i].y + to[i].y);
+    mid_sq = smaller(mid_sq, mid_dx * mid_dx + mid_dy * mid_dy);
+    const Value end_dx = move.end.x - to[i].x;
+    const Value end_dy = move.end.y - to[i].y;
+    end_sq = smaller(end_sq, end_dx * end_dx + end_dy * end_dy);
+  }
+}
+
+// Penalty of a step by its first cause, in the order of the authors' model, and whether there is
+// any. `start_sq` is the squared distance to the nearest person at the start of the step.
+template <class Value>
+PCN_INLINE Value collisionPenalty(const StepConstants& c, const RobotLanes<Value>& robot,
+                                  const MoveLanes<Value>& move, const Value& start_sq,
+                                  const Value& mid_sq, const Value& end_sq,
+                                  typename MaskOf<Value>::Type& collides) {
+  const auto starts_close = (robot.speed > 0.0F) & (start_sq <= c.pedestrian_clearance_sq);
+  const auto comes_close =
+      (move.end.speed > 0.0F) & (smaller(mid_sq, end_sq) <= c.pedestrian_clearance_sq);
+  const auto meets_person = starts_close | comes_close;
+  collides = move.ends_outside | meets_person | move.hits_obstacle;
+  const auto is_obstacle = move.ends_outside | (move.hits_obstacle & (meets_person == 0));
+  return select(is_obstacle, spread<Value>(c.obstacle_penalty),
+                select(collides, spread<Value>(c.pedestrian_penalty), spread<Value>(0.0F)));
+}
+
+inline float nearestSq(const CrowdFutures::Place* people, int count, float x, float y) {
+  float nearest = std::numeric_limits<float>::max();
+  for (int i = 0; i < count; ++i) {
+    const float dx = people[i].x - x;
+    const float dy = people[i].y - y;
+    nearest = std::min(nearest, dx * dx + dy * dy);
+  }
+  return nearest;
+}
+
+}  // namespace pomdp_crowd_nav

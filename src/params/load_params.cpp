@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pomdp_crowd_nav/params/load_params.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace pomdp_crowd_nav {
+namespace {
+
+// Reads a word that names one of two values.
+template <class Choice>
+void readChoice(ParamReader& reader, const std::string& key, Choice& field, const char* first_name,
+                Choice first, const char* second_name, Choice second) {
+  std::string word = field == first ? first_name : second_name;
+  reader.read(key, word);
+  if (word != first_name && word != second_name) {
+    throw std::invalid_argument(
+        fmt::format("{} must be '{}' or '{}', got '{}'", key, first_name, second_name, word));
+  }
+  field = word == first_name ? first : second;
+}
+
+void requirePositive(const char* key, double value) {
+  if (value > 0.0) return;
+  throw std::invalid_argument(fmt::format("{} must be positive, got {}", key, value));
+}
+
+void readVehicle(ParamReader& reader, VehicleParams& vehicle) {
+  reader.read("robot_radius", vehicle.radius);
+  reader.read("max_vel_trans", vehicle.max_speed);
+  reader.read("acc_lim_x", vehicle.acceleration);
+  reader.read("acc_lim_y", vehicle.lateral_acceleration);
+  reader.read("acc_lim_theta", vehicle.yaw_acceleration);
+  reader.read("max_vel_theta", vehicle.max_yaw_rate);
+  reader.read("brake_deceleration", vehicle.brake_deceleration);
+  reader.read("instant_velocity", vehicle.instant_velocity);
+}
+
+void readReward(ParamReader& reader, RewardParams& reward) {
+  reader.read("reward/goal", reward.goal);
+  reader.read("reward/pedestrian", reward.pedestrian);
+  reader.read("reward/obstacle", reward.obstacle);
+  reader.read("reward/sudden_brake", reward.sudden_brake);
+  reader.read("reward/time", reward.time);
+  reader.read("reward/low_speed", reward.low_speed);
+}
+
+void readModel(ParamReader& reader, ModelParams& model) {
+  readVehicle(reader, model.vehicle);
+  readReward(reader, model.reward);
+  double frequency = 1.0 / model.step;
+  reader.read("planner_frequency", frequency);
+  requirePositive("planner_frequency", frequency);
+  model.step = 1.0 / frequency;
+  reader.read("xy_goal_tolerance", model.goal_tolerance);
+  reader.read("model/horizon", model.horizon);
+  reader.read("model/discount", model.discount_per_second);
+  reader.read("model/pedestrian_distance", model.pedestrian_distance);
+  reader.read("model/obstacle_distance", model.obstacle_distance);
+  reader.read("model/near_distance", model.near_distance);
+  reader.read("model/far_distance", model.far_distance);
+  reader.read("model/pedestrian_noise", model.pedestrian_noise);
+  readChoice(reader, "model/beyond_horizon", model.beyond_horizon, "nothing",
+             BeyondHorizon::kNothing, "free_drive", BeyondHorizon::kFreeDrive);
+  readChoice(reader, "model/upper_bound", model.upper_bound, "paper", UpperBoundKind::kPaper,
+             "tight", UpperBoundKind::kTight);
+}
+
+void readPlanning(ParamReader& reader, PlannerParams& planning) {
+  readModel(reader, planning.model);
+  reader.read("attended_pedestrians", planning.pedestrians);
+  reader.read("attention_angle", planning.attention_angle);
+  reader.read("search/scenarios", planning.search.scenarios);
+  reader.read("search/regularization", planning.search.regularization);
+  reader.read("search/target_gap", planning.search.target_gap);
+  reader.read("search/max_nodes", planning.search.max_nodes);
+  reader.read("prior/resolution", planning.prior.resolution);
+  reader.read("prior/extra_clearance", planning.prior.extra_clearance);
+  reader.read("prior/blocked_speed", planning.prior.blocked_speed);
+}
+
+void readSafety(ParamReader& reader, NavigationParams& params) {
+  reader.read("belief/update_period", params.belief.update_period);
+  reader.read("belief/walking_speed", params.belief.walking_speed);
+  reader.read("belief/speed_smoothing", params.belief.speed_smoothing);
+  reader.read("emergency/enabled", params.emergency.enabled);
+  reader.read("emergency/decision_distance", params.emergency.decision_distance);
+  reader.read("emergency/reflex_distance", params.emergency.reflex_distance);
+  reader.read("emergency/reaction_time", params.emergency.reaction_time);
+  reader.read("command/hold_time", params.command.hold_time);
+  reader.read("command/yaw_gain", params.command.yaw_gain);
+  reader.read("odom_timeout", params.odom_timeout);
+  reader.read("people_timeout", params.people_timeout);
+  reader.read("transform_tolerance", params.transform_tolerance);
+}
+
+}  // namespace
+
+NavigationParams loadNavigationParams(ParamReader& reader) {
+  NavigationParams params;
+  reader.read("planner", params.planner);
+  readPlanning(reader, params.planning);
+  readSafety(reader, params);
+  reader.read("search_time", params.search_time);
+  reader.read("controller_frequency", params.controller_frequency);
+  reader.read("yaw_goal_tolerance", params.yaw_goal_tolerance);
+  validate(params.planning);
+  requirePositive("search_time", params.search_time);
+  requirePositive("controller_frequency", params.controller_frequency);
+  requirePositive("yaw_goal_tolerance", params.yaw_goal_tolerance);
+  requirePositive("odom_timeout", params.odom_timeout);
+  requirePositive("people_timeout", params.people_timeout);
+  return params;
+}
+
+Simulator::Params loadSimulatorParams(ParamReader& reader, const VehicleParams& vehicle) {
+  Simulator::Params params;
+  params.vehicle = vehicle;
+  reader.read("sensor/range", params.sensor.range);
+  reader.read("sensor/position_noise", params.sensor.position_noise);
+  reader.read("sensor/dropout", params.sensor.dropout);
+  reader.read("sensor/velocity_window", params.sensor.velocity_window);
+  reader.read("command_timeout", params.command_timeout);
+  reader.read("uniform_respawn", params.uniform_respawn);
+  return params;
+}
+
+}  // namespace pomdp_crowd_nav

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pomdp_crowd_nav/planner/extended_space_planner.h"
+
+#include <algorithm>
+
+#include "pomdp_crowd_nav/planner/nearby_pedestrians.h"
+
+namespace pomdp_crowd_nav {
+namespace {
+
+SearchParams searchParams(const PlannerParams& params) {
+  SearchParams search = params.search;
+  search.max_depth = params.model.depth();
+  search.discount = params.model.discount();
+  return search;
+}
+
+constexpr double kPathStep = 0.25;      // [m] between points of a path along the prior
+constexpr size_t kMaxPathPoints = 8000;
+
+}  // namespace
+
+ExtendedSpacePlanner::ExtendedSpacePlanner(const Task& task,
+                                           std::shared_ptr<const RolloutPrior> prior,
+                                           const PlannerParams& params)
+    : params_(params),
+      bounds_(task.map.bounds()),
+      destinations_(task.destinations),
+      prior_(std::move(prior)),
+      field_(*prior_, task.map, params.prior.resolution),
+      pedestrian_model_({params.model.pedestrian_noise * params.model.step}),
+      model_(params.model, field_, futures_),
+      search_(searchParams(params)) {}
+
+Decision ExtendedSpacePlanner::decide(const Situation& situation, const SearchLimit& limit) {
+  const auto start = SearchLimit::Clock::now();
+  const std::vector<PersonBelief> people =
+      nearbyPedestrians(situation.crowd, situation.vehicle,
+                        {params_.pedestrians, params_.attention_angle,
+                         params_.model.pedestrian_distance});
+  const NoiseStreams noise(params_.seed + 0x9E3779B9ULL * decisions_++);
+  futures_.draw({params_.search.scenarios, params_.model.depth(), params_.model.step, bounds_},
+                people, destinations_, pedestrian_model_, noise);
+
+  const RobotState root = RobotState::from(situation.vehicle);
+  const SearchResult<Action> result = search_.run(model_, {root}, limit);
+
+  Decision decision;
+  decision.action = result.action;
+  decision.motion = motionOf(result.action, situation.vehicle);
+  decision.plan = planFrom(root, result.plan);
+  for (const PersonBelief& person : people) decision.attended.push_back(person.id);
+  decision.search = result.statistics;
+  decision.wall_time =
+      std::chrono::duration<double>(SearchLimit::Clock::now() - start).count();
+  return decision;
+}
+
+StepMotion ExtendedSpacePlanner::motionOf(const Action& action,
+                                          const VehicleState& vehicle) const {
+  const ModelParams& model = params_.model;
+  const RobotState state = RobotState::from(vehicle);
+  const double speed = model_.speedAfter(state, action);
+  double heading = vehicle.heading + action.turn;
+  const bool follows = action.heading == Action::Heading::kFollowPrior;
+  if (follows) {
+    const NavigationCell& here = field_.at(state.x, state.y);
+    heading = std::atan2(here.direction_y, here.direction_x);
+  }
+  StepMotion motion = stepMotion(model.vehicle, vehicle, heading, speed, model.step);
+  // A step along the prior ends on the goal rather than past it.
+  const Point to_goal = field_.goal() - vehicle.position;
+  if (follows && motion.instant && speed * model.step >= to_goal.norm()) {
+    motion.end_velocity = to_goal / model.step;
+  }
+  return motion;
+}
+
+std::vector<VehicleState> ExtendedSpacePlanner::planFrom(const RobotState& state,
+                                                         const std::vector<Action>& actions) const {
+  std::vector<VehicleState> plan{state.vehicle()};
+  RobotState now = state;
+  for (const Action& action : actions) {
+    now = model_.move(now, action);
+    plan.push_back(now.vehicle());
+  }
+  return plan;
+}
+
+TreeView ExtendedSpacePlanner::viewTree(int max_edges) const {
+  const auto& tree = search_.tree();
+  const double discount = search_.params().discount;
+  const int scenarios = search_.params().scenarios;
+  TreeView view;
+  for (const ActionNode& node : tree.action_nodes) {
+    if (node.child_count == 0) continue;
+    const BeliefNode& parent = tree.beliefs[node.parent];
+    TreeEdge edge;
+    float lower = 0.0F;
+    int count = 0;
+    for (int c = node.first_child; c < node.first_child + node.child_count; ++c) {
+      lower += tree.beliefs[c].lower;
+      count += tree.beliefs[c].scenario_count;
+    }
+    const BeliefNode& child = tree.beliefs[node.first_child];
+    edge.from = tree.states[parent.first_state].vehicle().position;
+    edge.to = tree.states[child.first_state].vehicle().position;
+    edge.weight = static_cast<float>(count) / static_cast<float>(scenarios);
+    edge.depth = child.depth;
+    edge.value = lower / edge.weight / static_cast<float>(std::pow(discount, edge.depth));
+    view.edges.push_back(edge);
+  }
+  // A parent weighs at least as much as its child and comes first, so the cut leaves one tree.
+  std::stable_sort(view.edges.begin(), view.edges.end(), [](const TreeEdge& a, const TreeEdge& b) {
+    return a.weight > b.weight;
+  });
+  if (static_cast<int>(view.edges.size()) > max_edges) view.edges.resize(std::max(0, max_edges));
+  for (const TreeEdge& edge : view.edges) {
+    if (edge.depth == 1) view.rollouts.push_back(globalPath(edge.to));
+  }
+  return view;
+}
+
+std::vector<Point> ExtendedSpacePlanner::globalPath(const Point& from) const {
+  std::vector<Point> path{from};
+  while (path.size() < kMaxPathPoints) {
+    const Point& here = path.back();
+    if ((field_.goal() - here).norm() <= kPathStep) {
+      path.push_back(field_.goal());
+      break;
+    }
+    const NavigationCell& cell =
+        field_.at(static_cast<float>(here.x()), static_cast<float>(here.y()));
+    const Point direction(cell.direction_x, cell.direction_y);
+    if (direction.isZero()) break;
+    path.push_back(here + kPathStep * direction);
+  }
+  return path;
+}
+
+}  // namespace pomdp_crowd_nav

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pomdp_crowd_nav/planner/planner_factory.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "pomdp_crowd_nav/planner/extended_space_planner.h"
+
+namespace pomdp_crowd_nav {
+namespace {
+
+using Maker = std::unique_ptr<Planner> (*)(const Task&, const PlannerParams&);
+
+// The paper's planner ES with the prior `name`, kept clear of obstacles as the model asks.
+std::unique_ptr<Planner> makeExtendedSpace(const char* prior, const Task& task,
+                                           const PlannerParams& params) {
+  PriorParams prior_params = params.prior;
+  prior_params.clearance = params.model.obstacleClearance();
+  return std::make_unique<ExtendedSpacePlanner>(
+      task, makePrior(prior, task.map, task.goal, prior_params), params);
+}
+
+struct Entry {
+  const char* name;
+  Maker make;
+};
+
+const Entry kPlanners[] = {
+    {"2d_fmm",
+     [](const Task& task, const PlannerParams& params) {
+       return makeExtendedSpace("fast_marching", task, params);
+     }},
+    {"2d_straight",
+     [](const Task& task, const PlannerParams& params) {
+       return makeExtendedSpace("straight_line", task, params);
+     }},
+};
+
+}  // namespace
+
+std::vector<std::string> plannerNames() {
+  std::vector<std::string> names;
+  for (const Entry& entry : kPlanners) names.emplace_back(entry.name);
+  return names;
+}
+
+std::unique_ptr<Planner> makePlanner(const std::string& name, const Task& task,
+                                     const PlannerParams& params) {
+  validate(params);
+  if (task.destinations.empty()) {
+    throw std::invalid_argument("destinations must name at least one place that people walk to");
+  }
+  for (const Entry& entry : kPlanners) {
+    if (name == entry.name) return entry.make(task, params);
+  }
+  std::string known;
+  for (const Entry& entry : kPlanners) known += (known.empty() ? "" : ", ") + std::string(entry.name);
+  throw std::invalid_argument(fmt::format("planner must be one of {}, got '{}'", known, name));
+}
+
+}  // namespace pomdp_crowd_nav

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pomdp_crowd_nav/pomdp/crowd_model.h"
+
+#include <algorithm>
+
+// Lets one binary use the widest vectors of the machine it runs on.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
+    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define PCN_WIDEST_VECTORS __attribute__((target_clones("arch=skylake-avx512", "avx2", "default")))
+#else
+#define PCN_WIDEST_VECTORS
+#endif
+
+namespace pomdp_crowd_nav {
+namespace {
+
+constexpr float kFarAwaySq = std::numeric_limits<float>::max();
+
+// What is common to all scenarios of an expansion: where each action takes the robot.
+struct ActionLanes {
+  RobotLanes<Lanes> robot;  // before the action, the same in every lane
+  MoveLanes<Lanes> move;
+  Lanes brake_penalty;
+  LaneMask used;     // lanes that hold an action
+  LaneMask arrived;  // the robot is at the goal already
+};
+
+// What `evaluate` needs of its surroundings; plain, so that it can be passed to a cloned function.
+struct Evaluation {
+  const StepConstants& constants;
+  const NavigationField& field;
+  const CrowdFutures& futures;
+};
+
+struct ScenarioOutcome {
+  alignas(64) Lanes reward;
+  alignas(64) Lanes value;      // of the roll-outs
+  alignas(64) Lanes discount;   // left at the end of the roll-outs
+  alignas(64) LaneMask terminal;
+  RobotLanes<Lanes> horizon;    // robots where the roll-outs ended
+  LaneMask reached_horizon;
+};
+
+PCN_WIDEST_VECTORS
+void moveActions(const Evaluation& e, const Lanes& speed, const Lanes& to_x, const Lanes& to_y,
+                 const LaneMask& follows, const FieldLanes<Lanes>& here, ActionLanes& lanes) {
+  lanes.move = moveRobots<Lanes>(e.constants, e.field, lanes.robot, here, speed, to_x, to_y,
+                                 follows);
+  lanes.arrived = goalDistanceSq(e.constants, lanes.robot.x, lanes.robot.y) <=
+                  e.constants.goal_tolerance_sq;
+}
+
+// One scenario of an expansion: the step of every action, then roll-outs from where they end.
+PCN_WIDEST_VECTORS
+void evaluate(const Evaluation& e, const ActionLanes& lanes, float start_sq, int scenario,
+              int depth, ScenarioOutcome& out, long& steps) {
+  const StepConstants& c = e.constants;
+  Lanes mid_sq = spread<Lanes>(kFarAwaySq);
+  Lanes end_sq = mid_sq;
+  meetPeople(lanes.move, e.futures.at(scenario, depth), e.futures.at(scenario, depth + 1),
+             e.futures.personCount(), mid_sq, end_sq);
+  LaneMask collides;
+  const Lanes penalty = collisionPenalty(c, lanes.robot, lanes.move, spread<Lanes>(start_sq),
+                                         mid_sq, end_sq, collides);
+  out.reward = stepCost(c, lanes.robot.speed) + lanes.brake_penalty +
+               select(lanes.arrived, spread<Lanes>(c.goal_reward), penalty);
+  out.terminal = lanes.arrived | collides;
+
+  RolloutStart<Lanes> start{lanes.move.end, lanes.move.field, end_sq,
+                            lanes.used & (out.terminal == 0)};
+  float discount = 1.0F;
+  out.value = rollOut<Lanes>(c, e.field, e.futures, scenario, depth + 1, start, discount, steps);
+  out.discount = spread<Lanes>(discount);
+  out.horizon = start.robot;
+  out.reached_horizon = start.alive;
+}
+
+}  // namespace
+
+CrowdModel::CrowdModel(const ModelParams& params, const NavigationField& field,
+                       const CrowdFutures& futures)
+    : params_(params),
+      field_(field),
+      futures_(futures),
+      constants_(params, field),
+      upper_bound_(params, field.goal()) {
+  validate(params);
+}
+
+const std::vector<Action>& CrowdModel::legalActions(const RobotState& state) const {
+  const NavigationCell& here = field_.at(state.x, state.y);
+  const bool has_way = here.direction_x != 0.0F || here.direction_y != 0.0F;
+  return action_sets_.legal(state.speed > 0.0F, has_way);
+}
+
+float CrowdModel::speedAfter(const RobotState& state, const Action& action) const {
+  if (action.sudden_brake) return std::max(0.0F, state.speed - constants_.brake_step);
+  const float changed =
+      state.speed + static_cast<float>(action.speed_steps) * constants_.speed_step;
+  return std::min(std::max(changed, 0.0F), constants_.max_speed);
+}
+
+void CrowdModel::expand(const RobotState* states, const int* scenarios, int count, int depth,
+                        Expansion<CrowdModel>& out) const {
+  const RobotState& state = states[0];
+  out.reset();
+  out.actions = legalActions(state);
+  const int action_count = static_cast<int>(out.actions.size());
+  const Evaluation evaluation{constants_, field_, futures_};
+  const NavigationCell& cell = field_.at(state.x, state.y);
+
+  ActionLanes lanes;
+  lanes.robot = {spread<Lanes>(state.x), spread<Lanes>(state.y), spread<Lanes>(state.direction_x),
+                 spread<Lanes>(state.direction_y), spread<Lanes>(state.speed)};
+  lanes.brake_penalty = spread<Lanes>(0.0F);
+  Lanes speed = spread<Lanes>(0.0F);
+  Lanes to_x = spread<Lanes>(1.0F);
+  Lanes to_y = spread<Lanes>(0.0F);
+  LaneMask follows{};
+  lanes.used = LaneMask{};
+  for (int a = 0; a < action_count; ++a) {
+    const Action& action = out.actions[a];
+    const bool follow = action.heading == Action::Heading::kFollowPrior;
+    speed[a] = speedAfter(state, action);
+    to_x[a] = follow ? cell.direction_x
+                     : state.direction_x * action.turn_cos - state.direction_y * action.turn_sin;
+    to_y[a] = follow ? cell.direction_y
+                     : state.direction_x * action.turn_sin + state.direction_y * action.turn_cos;
+    follows[a] = follow ? -1 : 0;
+    lanes.used[a] = -1;
+    if (action.sudden_brake) lanes.brake_penalty[a] = constants_.brake_penalty;
+  }
+  const FieldLanes<Lanes> here{spread<Lanes>(cell.direction_x), spread<Lanes>(cell.direction_y),
+                               spread<Lanes>(cell.clearance)};
+  moveActions(evaluation, speed, to_x, to_y, follows, here, lanes);
+
+  float uppers[kMaxActions];
+  for (int a = 0; a < action_count; ++a) {
+    out.states.push_back({lanes.move.end.x[a], lanes.move.end.y[a], lanes.move.end.direction_x[a],
+                          lanes.move.end.direction_y[a], lanes.move.end.speed[a]});
+    uppers[a] = upper_bound_.value(out.states.back());
+  }
+
+  out.branches.resize(static_cast<size_t>(action_count) * count);
+  for (int i = 0; i < count; ++i) {
+    const int scenario = scenarios[i];
+    const float start_sq =
+        nearestSq(futures_.at(scenario, depth), futures_.personCount(), state.x, state.y);
+    ScenarioOutcome outcome;
+    evaluate(evaluation, lanes, start_sq, scenario, depth, outcome, out.model_steps);
+    const std::uint64_t observation = futures_.observation(scenario, depth + 1);
+    for (int a = 0; a < action_count; ++a) {
+      float lower = outcome.value[a];
+      if (outcome.reached_horizon[a] != 0 &&
+          params_.beyond_horizon == BeyondHorizon::kFreeDrive) {
+        lower += outcome.discount[a] *
+                 beyondHorizon({outcome.horizon.x[a], outcome.horizon.y[a], 1.0F, 0.0F,
+                                outcome.horizon.speed[a]});
+      }
+      out.branches[static_cast<size_t>(a) * count + i] = {
+          outcome.reward[a], outcome.terminal[a] != 0, observation, lower, uppers[a]};
+    }
+  }
+  out.model_steps += static_cast<long>(action_count) * count;
+}
+
+void CrowdModel::rootBounds(const RobotState* states, const int* scenarios, int count,
+                            double& lower, double& upper) const {
+  const RobotState& state = states[0];
+  const FieldLanes<float> here = lookUp(field_, state.x, state.y);
+  lower = 0.0;
+  for (int i = 0; i < count; ++i) {
+    RolloutStart<float> start{
+        {state.x, state.y, state.direction_x, state.direction_y, state.speed},
+        here,
+        nearestSq(futures_.at(scenarios[i], 0), futures_.personCount(), state.x, state.y),
+        true};
+    float discount = 1.0F;
+    long steps = 0;
+    lower += rollOut<float>(constants_, field_, futures_, scenarios[i], 0, start, discount, steps);
+    if (start.alive && params_.beyond_horizon == BeyondHorizon::kFreeDrive) {
+      lower += discount * beyondHorizon({start.robot.x, start.robot.y, 1.0F, 0.0F,
+                                         start.robot.speed});
+    }
+  }
+  lower /= count;
+  upper = std::max(lower, static_cast<double>(upper_bound_.value(state)));
+}
+
+MoveLanes<float> CrowdModel::moveOne(const RobotState& state, const Action& action) const {
+  const RobotLanes<float> robot{state.x, state.y, state.direction_x, state.direction_y,
+                                state.speed};
+  const FieldLanes<float> here = lookUp(field_, state.x, state.y);
+  const bool follow = action.heading == Action::Heading::kFollowPrior;
+  const float turned_x =
+      state.direction_x * action.turn_cos - state.direction_y * action.turn_sin;
+  const float turned_y =
+      state.direction_x * action.turn_sin + state.direction_y * action.turn_cos;
+  return moveRobots<float>(constants_, field_, robot, here, speedAfter(state, action),
+                           follow ? here.direction_x : turned_x,
+                           follow ? here.direction_y : turned_y, follow);
+}
+
+RobotState CrowdModel::move(const RobotState& state, const Action& action) const {
+  const RobotLanes<float> end = moveOne(state, action).end;
+  return {end.x, end.y, end.direction_x, end.direction_y, end.speed};
+}
+
+Branch CrowdModel::step(const RobotState& state, int scenario, int depth, const Action& action,
+                        RobotState& next) const {
+  const StepConstants& c = constants_;
+  const MoveLanes<float> move = moveOne(state, action);
+  const RobotLanes<float> robot{state.x, state.y, state.direction_x, state.direction_y,
+                                state.speed};
+  float mid_sq = kFarAwaySq;
+  float end_sq = kFarAwaySq;
+  meetPeople(move, futures_.at(scenario, depth), futures_.at(scenario, depth + 1),
+             futures_.personCount(), mid_sq, end_sq);
+  const float start_sq =
+      nearestSq(futures_.at(scenario, depth), futures_.personCount(), state.x, state.y);
+  bool collides = false;
+  const float penalty = collisionPenalty(c, robot, move, start_sq, mid_sq, end_sq, collides);
+  const bool arrived = goalDistanceSq(c, robot.x, robot.y) <= c.goal_tolerance_sq;
+  next = {move.end.x, move.end.y, move.end.direction_x, move.end.direction_y, move.end.speed};
+
+  Branch branch;
+  branch.reward = stepCost(c, robot.speed) + (action.sudden_brake ? c.brake_penalty : 0.0F) +
+                  (arrived ? c.goal_reward : penalty);
+  branch.terminal = arrived || collides;
+  branch.observation = futures_.observation(scenario, depth + 1);
+  if (branch.terminal) return branch;
+  RolloutStart<float> start{{next.x, next.y, next.direction_x, next.direction_y, next.speed},
+                            move.field, end_sq, true};
+  float discount = 1.0F;
+  long steps = 0;
+  branch.lower =
+      rollOut<float>(c, field_, futures_, scenario, depth + 1, start, discount, steps);
+  if (start.alive && params_.beyond_horizon == BeyondHorizon::kFreeDrive) {
+    branch.lower +=
+        discount * beyondHorizon({start.robot.x, start.robot.y, 1.0F, 0.0F, start.robot.speed});
+  }
+  branch.upper = upper_bound_.value(next);
+  return branch;
+}
+
+// A free drive from here along the prior's path, speeding up as fast as possible.
+float CrowdModel::beyondHorizon(const RobotState& state) const {
+  const float along = field_.at(state.x, state.y).distance_to_goal;
+  const float dx = constants_.goal_x - state.x;
+  const float dy = constants_.goal_y - state.y;
+  const float straight = std::sqrt(dx * dx + dy * dy);
+  // The bound of a robot that has the path's length to go in a straight line.
+  RobotState stretched = state;
+  const float stretch = std::max(1.0F, along / std::max(straight, 1e-3F));
+  stretched.x = constants_.goal_x - dx * stretch;
+  stretched.y = constants_.goal_y - dy * stretch;
+  return std::min(upper_bound_.value(stretched), upper_bound_.value(state));
+}
+
+Action CrowdModel::defaultAction(const RobotState* state) const {
+  float start_sq = kFarAwaySq;
+  for (int k = 0; k < std::min(1, futures_.scenarioCount()); ++k) {
+    start_sq = nearestSq(futures_.at(k, 0), futures_.personCount(), state->x, state->y);
+  }
+  const bool moving = state->speed > 0.0F;
+  const NavigationCell& here = field_.at(state->x, state->y);
+  const bool has_way = here.direction_x != 0.0F || here.direction_y != 0.0F;
+  if (start_sq < constants_.near_sq || !has_way) return Action::turnBy(0.0, moving ? -1 : 0);
+  return Action::followPrior(moving ? 0 : 1);
+}
+
+}  // namespace pomdp_crowd_nav

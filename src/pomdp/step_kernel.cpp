@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pomdp_crowd_nav/pomdp/step_kernel.h"
+
+namespace pomdp_crowd_nav {
+namespace {
+
+float square(double x) { return static_cast<float>(x * x); }
+
+}  // namespace
+
+StepConstants::StepConstants(const ModelParams& p, const NavigationField& field) {
+  const VehicleParams& v = p.vehicle;
+  const auto step = static_cast<float>(p.step);
+  const bool instant = v.instant_velocity;
+  max_speed = static_cast<float>(v.max_speed);
+  speed_step = static_cast<float>(p.speedStep());
+  brake_step = instant ? 1e9F : static_cast<float>(v.brake_deceleration * p.step);
+  turn_speed = instant ? 1e9F : static_cast<float>(v.lateral_acceleration * p.step);
+  // A velocity that runs linearly from old to new covers (3 old + new) / 8 of a step by the middle.
+  end_old = instant ? 0.0F : 0.5F * step;
+  end_new = instant ? step : 0.5F * step;
+  mid_old = instant ? 0.0F : 0.375F * step;
+  mid_new = instant ? 0.5F * step : 0.125F * step;
+  goal_x = static_cast<float>(field.goal().x());
+  goal_y = static_cast<float>(field.goal().y());
+  goal_tolerance_sq = square(p.goal_tolerance);
+  min_x = static_cast<float>(field.bounds().min.x());
+  min_y = static_cast<float>(field.bounds().min.y());
+  max_x = static_cast<float>(field.bounds().max.x());
+  max_y = static_cast<float>(field.bounds().max.y());
+  pedestrian_clearance_sq = square(p.pedestrianClearance());
+  obstacle_clearance = static_cast<float>(p.obstacleClearance());
+  near_sq = square(p.near_distance);
+  far_sq = square(p.far_distance);
+  goal_reward = static_cast<float>(p.reward.goal);
+  pedestrian_penalty = static_cast<float>(p.reward.pedestrian);
+  obstacle_penalty = static_cast<float>(p.reward.obstacle);
+  brake_penalty = static_cast<float>(p.reward.sudden_brake);
+  time_cost = static_cast<float>(p.reward.time * p.step);
+  low_speed_cost = static_cast<float>(p.reward.low_speed * p.step);
+  discount = static_cast<float>(p.discount());
+  has_obstacles = field.hasObstacles();
+}
+
+}  // namespace pomdp_crowd_nav
