@@ -10,20 +10,23 @@
 namespace pomdp_crowd_nav {
 namespace {
 
+constexpr double kRounding = 1e-6;  // [cells]
+
 int clampedFloor(double value, int least, int most) {
   return static_cast<int>(std::clamp(std::floor(value), double(least), double(most)));
 }
 
 // A length that is a whole number of cells but for rounding gets no extra cell.
 double cellsToCover(double length, double resolution) {
-  return std::max(2.0, std::ceil(length / resolution - 1e-6));
+  return std::max(2.0, std::ceil(length / resolution - kRounding));
 }
 
 }  // namespace
 
 bool GridFrame::contains(const Point& point) const {
   const Point cells = (point - origin) / resolution;
-  return cells.x() >= 0.0 && cells.x() <= columns && cells.y() >= 0.0 && cells.y() <= rows;
+  return cells.x() >= -kRounding && cells.x() <= columns + kRounding && cells.y() >= -kRounding &&
+         cells.y() <= rows + kRounding;
 }
 
 int GridFrame::columnOf(const Point& point) const {

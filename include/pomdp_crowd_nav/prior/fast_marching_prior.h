@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vector>
-
 #include "pomdp_crowd_nav/prior/arrival_time_field.h"
+#include "pomdp_crowd_nav/prior/descent_directions.h"
 #include "pomdp_crowd_nav/prior/prior_factory.h"
 #include "pomdp_crowd_nav/prior/rollout_prior.h"
 
@@ -37,7 +36,7 @@ class FastMarchingPrior : public RolloutPrior {
   bool isNearGoal(const Point& position) const;
 
   ArrivalTimeField field_;
-  std::vector<float> direction_x_, direction_y_;  // per cell, unit vectors
+  Directions directions_;
 };
 
 }  // namespace pomdp_crowd_nav

@@ -20,7 +20,7 @@ struct GridFrame {
     return origin + resolution * Point(column + 0.5, row + 0.5);
   }
 
-  // True on the grid, its border included.
+  // True on the grid and on its border, give or take rounding.
   bool contains(const Point& point) const;
 
   // Cell that holds a point of the grid.
