@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pomdp_crowd_nav/world/vehicle.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace pomdp_crowd_nav {
+namespace {
+
+VehicleParams rampedBase() {
+  VehicleParams params;
+  params.instant_velocity = false;
+  params.max_speed = 2.0;
+  params.lateral_acceleration = 0.5;
+  params.brake_deceleration = 1.5;
+  return params;
+}
+
+void expectNear(const Point& found, double x, double y) {
+  EXPECT_NEAR(found.x(), x, 1e-12);
+  EXPECT_NEAR(found.y(), y, 1e-12);
+}
+
+TEST(VehicleTest, EachParameterMustBePositive) {
+  EXPECT_NO_THROW(validate(VehicleParams()));
+  using Field = double VehicleParams::*;
+  for (Field field :
+       {&VehicleParams::radius, &VehicleParams::max_speed, &VehicleParams::acceleration,
+        &VehicleParams::lateral_acceleration, &VehicleParams::brake_deceleration,
+        &VehicleParams::max_yaw_rate, &VehicleParams::yaw_acceleration}) {
+    for (double bad : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+      VehicleParams params;
+      params.*field = bad;
+      EXPECT_THROW(validate(params), std::invalid_argument) << bad;
+    }
+  }
+}
+
+TEST(VehicleTest, RejectionNamesTheFieldAndItsValue) {
+  VehicleParams params;
+  params.brake_deceleration = -0.5;
+  try {
+    validate(params);
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_EQ(std::string(error.what()), "brake_deceleration must be positive, got -0.5");
+  }
+}
+
+TEST(VehicleTest, SpeedStaysBetweenRestAndItsLimit) {
+  const VehicleParams params = rampedBase();
+  EXPECT_DOUBLE_EQ(speedAfter(params, 0.5, 1.0), 1.5);
+  EXPECT_DOUBLE_EQ(speedAfter(params, 1.5, 1.0), 2.0);
+  EXPECT_DOUBLE_EQ(speedAfter(params, 0.5, -1.0), 0.0);
+}
+
+TEST(VehicleTest, BrakeTakesSpeedOffUntilRest) {
+  VehicleParams params = rampedBase();
+  EXPECT_DOUBLE_EQ(speedAfterBrake(params, 2.0, 1.0), 0.5);
+  EXPECT_DOUBLE_EQ(speedAfterBrake(params, 1.0, 1.0), 0.0);
+  EXPECT_NEAR(stoppingDistance(params, 2.0), 4.0 / 3.0, 1e-12);
+  params.instant_velocity = true;
+  EXPECT_DOUBLE_EQ(speedAfterBrake(params, 2.0, 0.1), 0.0);
+  EXPECT_DOUBLE_EQ(stoppingDistance(params, 2.0), 0.0);
+}
+
+// 0.5 m/s^2 across for 1 s changes the velocity by 0.5 m/s.
+TEST(VehicleTest, LateralAccelerationBoundsTheTurn) {
+  VehicleParams params = rampedBase();
+  EXPECT_DOUBLE_EQ(maxTurnChord(params, 2.0, 1.0), 0.25);
+  EXPECT_DOUBLE_EQ(maxTurnChord(params, 1.0, 2.0), 1.0);
+  EXPECT_DOUBLE_EQ(maxTurnChord(params, 0.2, 1.0), 2.0);
+  EXPECT_DOUBLE_EQ(maxTurnChord(params, 0.0, 1.0), 2.0);
+  params.instant_velocity = true;
+  EXPECT_DOUBLE_EQ(maxTurnChord(params, 2.0, 1.0), 2.0);
+}
+
+TEST(VehicleTest, TurnsTheShortWayAsFarAsTheChordAllows) {
+  EXPECT_DOUBLE_EQ(turnToward(0.0, 2.5, 2.0), 2.5);
+  EXPECT_NEAR(turnToward(0.0, 2.5, 1.0), M_PI / 3.0, 1e-12);  // a chord of 1 spans 60 degrees
+  EXPECT_NEAR(turnToward(0.0, -2.5, 1.0), -M_PI / 3.0, 1e-12);
+  EXPECT_NEAR(turnToward(0.5, 0.6, 1.0), 0.6, 1e-12);
+  EXPECT_NEAR(turnToward(3.0, -3.0, 1.0), -3.0, 1e-12);  // across pi
+  EXPECT_NEAR(turnToward(3.0, -2.0, 1.0), 3.0 + M_PI / 3.0 - 2.0 * M_PI, 1e-12);
+  EXPECT_DOUBLE_EQ(turnToward(0.7, -1.0, 0.0), 0.7);
+}
+
+TEST(VehicleTest, InstantBaseDrivesAtTheNewVelocityFromTheStart) {
+  const VehicleState from{{1.0, 2.0}, 0.0, 1.0};
+  const StepMotion motion = stepMotion(VehicleParams(), from, M_PI / 2.0, 2.0, 1.0);
+  expectNear(motion.velocityAt(0.0), 0.0, 2.0);
+  expectNear(motion.positionAt(0.0), 1.0, 2.0);
+  expectNear(motion.positionAt(0.5), 1.0, 3.0);
+  const VehicleState end = motion.end();
+  expectNear(end.position, 1.0, 4.0);
+  EXPECT_DOUBLE_EQ(end.heading, M_PI / 2.0);
+  EXPECT_DOUBLE_EQ(end.speed, 2.0);
+}
+
+TEST(VehicleTest, RampedBaseChangesItsVelocityLinearly) {
+  const VehicleState from{{1.0, 2.0}, 0.0, 1.0};
+  const StepMotion motion = stepMotion(rampedBase(), from, 0.0, 2.0, 2.0);
+  expectNear(motion.velocityAt(0.0), 1.0, 0.0);
+  expectNear(motion.velocityAt(1.0), 1.5, 0.0);
+  expectNear(motion.positionAt(1.0), 1.0 + 1.0 + 0.25, 2.0);  // v t + a t^2 / 2, a = 0.5
+  expectNear(motion.end().position, 1.0 + 3.0, 2.0);
+  EXPECT_DOUBLE_EQ(motion.end().speed, 2.0);
+  expectNear(motion.positionAt(3.0), 4.0 + 2.0, 2.0);  // goes on at the end velocity
+}
+
+// From 1 m/s along x to 1 m/s at 60 degrees: the chord of 1 is what 0.5 m/s^2 does in 2 s.
+TEST(VehicleTest, RampedBaseTurnsNoFurtherThanItCan) {
+  const VehicleState from{{0.0, 0.0}, 0.0, 1.0};
+  const StepMotion motion = stepMotion(rampedBase(), from, M_PI / 2.0, 1.0, 2.0);
+  EXPECT_NEAR(motion.end_heading, M_PI / 3.0, 1e-12);
+  const double sine = std::sqrt(3.0) / 2.0;
+  expectNear(motion.velocityAt(1.0), 0.75, 0.5 * sine);
+  expectNear(motion.positionAt(1.0), 1.0 - 0.125, 0.25 * sine);
+  expectNear(motion.end().position, 1.5, sine);
+}
+
+TEST(VehicleTest, HeadingIsKeptWhenTheBaseStops) {
+  const VehicleState from{{0.0, 0.0}, 0.3, 1.0};
+  const VehicleState end = stepMotion(rampedBase(), from, 0.3, 0.0, 1.0).end();
+  EXPECT_DOUBLE_EQ(end.heading, 0.3);
+  EXPECT_DOUBLE_EQ(end.speed, 0.0);
+  expectNear(end.position, 0.5 * std::cos(0.3), 0.5 * std::sin(0.3));
+}
+
+}  // namespace
+}  // namespace pomdp_crowd_nav
