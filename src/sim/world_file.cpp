@@ -15,6 +15,8 @@ namespace {
 
 using Numbers = std::vector<double>;
 
+constexpr double kLargestId = 9007199254740992.0;  // 2^53, whole numbers up to here are exact
+
 // Reads one world file and words its errors.
 class WorldReader {
  public:
@@ -92,7 +94,9 @@ class WorldReader {
     Numbers left_out;
     reader_.read("tracks/left_out", left_out);
     for (double id : left_out) {
-      if (id != std::floor(id)) failAt("tracks/left_out", "a list of whole numbers", left_out);
+      if (id != std::floor(id) || std::abs(id) > kLargestId) {
+        failAt("tracks/left_out", "a list of whole numbers", left_out);
+      }
       world.left_out.push_back(static_cast<std::int64_t>(id));
     }
   }

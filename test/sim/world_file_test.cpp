@@ -110,6 +110,8 @@ TEST(WorldFile, NamesWhatDoesNotFit) {
             ": unknown key 'polygons/0/vertexes', did you mean 'polygons/0/vertices'?");
   EXPECT_EQ(errorFor(good + "tracks: {left_out: [1.5]}\n"),
             ": tracks/left_out: expected a list of whole numbers, got '[1.5]'");
+  EXPECT_EQ(errorFor(good + "tracks: {left_out: [1e300]}\n"),
+            ": tracks/left_out: expected a list of whole numbers, got '[1e+300]'");
   EXPECT_EQ(errorFor(kBounds + "start: [1, 2]\n"),
             ": start: expected [x, y, heading], got '[1, 2]'");
   EXPECT_EQ(errorFor(kBounds + "start: [1, two, 0]\n"),
