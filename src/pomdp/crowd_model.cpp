@@ -3,76 +3,19 @@
 
 #include <algorithm>
 
-// Lets one binary use the widest vectors of the machine it runs on.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define PCN_WIDEST_VECTORS __attribute__((target_clones("arch=skylake-avx512", "avx2", "default")))
-#else
-#define PCN_WIDEST_VECTORS
-#endif
-
 namespace pomdp_crowd_nav {
 namespace {
 
 constexpr float kFarAwaySq = std::numeric_limits<float>::max();
 
-// What is common to all scenarios of an expansion: where each action takes the robot.
-struct ActionLanes {
-  RobotLanes<Lanes> robot;  // before the action, the same in every lane
-  MoveLanes<Lanes> move;
-  Lanes brake_penalty;
-  LaneMask used;     // lanes that hold an action
-  LaneMask arrived;  // the robot is at the goal already
-};
-
-// What `evaluate` needs of its surroundings; plain, so that it can be passed to a cloned function.
-struct Evaluation {
-  const StepConstants& constants;
-  const NavigationField& field;
-  const CrowdFutures& futures;
-};
-
-struct ScenarioOutcome {
-  alignas(64) Lanes reward;
-  alignas(64) Lanes value;      // of the roll-outs
-  alignas(64) Lanes discount;   // left at the end of the roll-outs
-  alignas(64) LaneMask terminal;
-  RobotLanes<Lanes> horizon;    // robots where the roll-outs ended
-  LaneMask reached_horizon;
-};
-
-PCN_WIDEST_VECTORS
-void moveActions(const Evaluation& e, const Lanes& speed, const Lanes& to_x, const Lanes& to_y,
-                 const LaneMask& follows, const FieldLanes<Lanes>& here, ActionLanes& lanes) {
-  lanes.move = moveRobots<Lanes>(e.constants, e.field, lanes.robot, here, speed, to_x, to_y,
-                                 follows);
-  lanes.arrived = goalDistanceSq(e.constants, lanes.robot.x, lanes.robot.y) <=
-                  e.constants.goal_tolerance_sq;
-}
-
-// One scenario of an expansion: the step of every action, then roll-outs from where they end.
-PCN_WIDEST_VECTORS
-void evaluate(const Evaluation& e, const ActionLanes& lanes, float start_sq, int scenario,
-              int depth, ScenarioOutcome& out, long& steps) {
-  const StepConstants& c = e.constants;
-  Lanes mid_sq = spread<Lanes>(kFarAwaySq);
-  Lanes end_sq = mid_sq;
-  meetPeople(lanes.move, e.futures.at(scenario, depth), e.futures.at(scenario, depth + 1),
-             e.futures.personCount(), mid_sq, end_sq);
-  LaneMask collides;
-  const Lanes penalty = collisionPenalty(c, lanes.robot, lanes.move, spread<Lanes>(start_sq),
-                                         mid_sq, end_sq, collides);
-  out.reward = stepCost(c, lanes.robot.speed) + lanes.brake_penalty +
-               select(lanes.arrived, spread<Lanes>(c.goal_reward), penalty);
-  out.terminal = lanes.arrived | collides;
-
-  RolloutStart<Lanes> start{lanes.move.end, lanes.move.field, end_sq,
-                            lanes.used & (out.terminal == 0)};
-  float discount = 1.0F;
-  out.value = rollOut<Lanes>(c, e.field, e.futures, scenario, depth + 1, start, discount, steps);
-  out.discount = spread<Lanes>(discount);
-  out.horizon = start.robot;
-  out.reached_horizon = start.alive;
+float nearestSq(const CrowdFutures::Place* people, int count, float x, float y) {
+  float nearest = kFarAwaySq;
+  for (int i = 0; i < count; ++i) {
+    const float dx = people[i].x - x;
+    const float dy = people[i].y - y;
+    nearest = std::min(nearest, dx * dx + dy * dy);
+  }
+  return nearest;
 }
 
 }  // namespace
@@ -82,6 +25,7 @@ CrowdModel::CrowdModel(const ModelParams& params, const NavigationField& field,
     : params_(params),
       field_(field),
       futures_(futures),
+      kernel_(laneKernel()),
       constants_(params, field),
       upper_bound_(params, field.goal()) {
   validate(params);
@@ -132,7 +76,7 @@ void CrowdModel::expand(const RobotState* states, const int* scenarios, int coun
   }
   const FieldLanes<Lanes> here{spread<Lanes>(cell.direction_x), spread<Lanes>(cell.direction_y),
                                spread<Lanes>(cell.clearance)};
-  moveActions(evaluation, speed, to_x, to_y, follows, here, lanes);
+  kernel_.move(evaluation, speed, to_x, to_y, follows, here, lanes);
 
   float uppers[kMaxActions];
   for (int a = 0; a < action_count; ++a) {
@@ -147,13 +91,13 @@ void CrowdModel::expand(const RobotState* states, const int* scenarios, int coun
     const float start_sq =
         nearestSq(futures_.at(scenario, depth), futures_.personCount(), state.x, state.y);
     ScenarioOutcome outcome;
-    evaluate(evaluation, lanes, start_sq, scenario, depth, outcome, out.model_steps);
+    kernel_.evaluate(evaluation, lanes, start_sq, scenario, depth, outcome, out.model_steps);
     const std::uint64_t observation = futures_.observation(scenario, depth + 1);
     for (int a = 0; a < action_count; ++a) {
       float lower = outcome.value[a];
       if (outcome.reached_horizon[a] != 0 &&
           params_.beyond_horizon == BeyondHorizon::kFreeDrive) {
-        lower += outcome.discount[a] *
+        lower += outcome.discount *
                  beyondHorizon({outcome.horizon.x[a], outcome.horizon.y[a], 1.0F, 0.0F,
                                 outcome.horizon.speed[a]});
       }

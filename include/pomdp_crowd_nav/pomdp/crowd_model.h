@@ -3,6 +3,7 @@
 
 #include "pomdp_crowd_nav/despot/expansion.h"
 #include "pomdp_crowd_nav/pomdp/action.h"
+#include "pomdp_crowd_nav/pomdp/lane_kernel.h"
 #include "pomdp_crowd_nav/pomdp/robot_state.h"
 #include "pomdp_crowd_nav/pomdp/rollout_policy.h"
 #include "pomdp_crowd_nav/pomdp/upper_bound.h"
@@ -51,6 +52,7 @@ class CrowdModel {
   ModelParams params_;
   const NavigationField& field_;
   const CrowdFutures& futures_;
+  const LaneKernel& kernel_;
   StepConstants constants_;
   UpperBound upper_bound_;
   ActionSets action_sets_;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cmath>
-
 #include "pomdp_crowd_nav/pomdp/action.h"
 
 // Sixteen floats that are computed with at once, as the compiler's own vector type: it becomes one
@@ -32,26 +30,44 @@ PCN_INLINE Value larger(const Value& a, const Value& b) {
   return select(a > b, a, b);
 }
 
-PCN_INLINE float squareRoot(float x) { return std::sqrt(x); }
+PCN_INLINE float squareRoot(float x) { return __builtin_sqrtf(x); }
 PCN_INLINE Lanes squareRoot(const Lanes& x) {
-  Lanes root;
-  for (int i = 0; i < kLanes; ++i) root[i] = __builtin_sqrtf(x[i]);
-  return root;
+  float roots[kLanes];
+  __builtin_memcpy(roots, &x, sizeof(roots));
+  for (float& root : roots) root = __builtin_sqrtf(root);
+  Lanes out;
+  __builtin_memcpy(&out, roots, sizeof(roots));
+  return out;
 }
 
 PCN_INLINE bool anyOf(bool mask) { return mask; }
 PCN_INLINE bool anyOf(const LaneMask& mask) {
-  int any = 0;
-  for (int i = 0; i < kLanes; ++i) any |= mask[i];
-  return any != 0;
+  using Half = int __attribute__((vector_size(32)));
+  using Quarter = long long __attribute__((vector_size(16)));
+  Half halves[2];
+  __builtin_memcpy(halves, &mask, sizeof(halves));
+  const Half both = halves[0] | halves[1];
+  Quarter quarters[2];
+  __builtin_memcpy(quarters, &both, sizeof(quarters));
+  const Quarter all = quarters[0] | quarters[1];
+  return (all[0] | all[1]) != 0;
 }
 
-PCN_INLINE int countOf(bool mask) { return mask ? 1 : 0; }
-PCN_INLINE int countOf(const LaneMask& mask) {
-  int count = 0;
-  for (int i = 0; i < kLanes; ++i) count -= mask[i];
-  return count;
-}
+// Counts true lanes over many masks.
+struct FlagCount {
+  long count = 0;
+  void add(bool mask) { count += mask ? 1 : 0; }
+  long total() const { return count; }
+};
+struct LaneCount {
+  LaneMask counts{};
+  PCN_INLINE void add(const LaneMask& mask) { counts -= mask; }
+  PCN_INLINE long total() const {
+    long sum = 0;
+    for (int i = 0; i < kLanes; ++i) sum += counts[i];
+    return sum;
+  }
+};
 
 // The same value in every lane.
 template <class Value>
@@ -59,14 +75,16 @@ PCN_INLINE Value spread(float value) {
   return Value{} + value;
 }
 
-// The mask type that belongs to a value type.
+// The mask of a value type, and what counts its true lanes.
 template <class Value>
 struct MaskOf {
   using Type = LaneMask;
+  using Count = LaneCount;
 };
 template <>
 struct MaskOf<float> {
   using Type = bool;
+  using Count = FlagCount;
 };
 
 }  // namespace pomdp_crowd_nav

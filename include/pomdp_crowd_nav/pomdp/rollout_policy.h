@@ -34,9 +34,10 @@ PCN_INLINE Value rollOut(const StepConstants& c, const NavigationField& field,
   Value value = spread<Value>(0.0F);
   const int count = futures.personCount();
   float discount = 1.0F;
+  typename MaskOf<Value>::Count evaluated;
   for (; depth < futures.depth() && anyOf(lanes.alive); ++depth) {
     RobotLanes<Value>& robot = lanes.robot;
-    steps += countOf(lanes.alive);
+    evaluated.add(lanes.alive);
     const Mask arrived = goalDistanceSq(c, robot.x, robot.y) <= c.goal_tolerance_sq;
     const Value to_x = lanes.here.direction_x;
     const Value to_y = lanes.here.direction_y;
@@ -64,6 +65,7 @@ PCN_INLINE Value rollOut(const StepConstants& c, const NavigationField& field,
     discount *= c.discount;
   }
   discount_left = discount;
+  steps += evaluated.total();
   return value;
 }
 

@@ -70,13 +70,19 @@ PCN_INLINE FieldLanes<Lanes> lookUp(const NavigationField& field, const Lanes& x
       smaller(larger((y - static_cast<float>(field.bounds().min.y())) * scale, zero), last_row);
   const LaneMask cell = __builtin_convertvector(row, LaneMask) * field.columns() +
                         __builtin_convertvector(column, LaneMask);
-  FieldLanes<Lanes> found;
+  int cells[kLanes];
+  __builtin_memcpy(cells, &cell, sizeof(cells));
+  float places[3][kLanes];
   for (int i = 0; i < kLanes; ++i) {
-    const NavigationCell& place = field.cells()[cell[i]];
-    found.direction_x[i] = place.direction_x;
-    found.direction_y[i] = place.direction_y;
-    found.clearance[i] = place.clearance;
+    const NavigationCell& place = field.cells()[cells[i]];
+    places[0][i] = place.direction_x;
+    places[1][i] = place.direction_y;
+    places[2][i] = place.clearance;
   }
+  FieldLanes<Lanes> found;
+  __builtin_memcpy(&found.direction_x, places[0], sizeof(Lanes));
+  __builtin_memcpy(&found.direction_y, places[1], sizeof(Lanes));
+  __builtin_memcpy(&found.clearance, places[2], sizeof(Lanes));
   return found;
 }
 
@@ -188,16 +194,6 @@ PCN_INLINE Value collisionPenalty(const StepConstants& c, const RobotLanes<Value
   const auto is_obstacle = move.ends_outside | (move.hits_obstacle & (meets_person == 0));
   return select(is_obstacle, spread<Value>(c.obstacle_penalty),
                 select(collides, spread<Value>(c.pedestrian_penalty), spread<Value>(0.0F)));
-}
-
-inline float nearestSq(const CrowdFutures::Place* people, int count, float x, float y) {
-  float nearest = std::numeric_limits<float>::max();
-  for (int i = 0; i < count; ++i) {
-    const float dx = people[i].x - x;
-    const float dy = people[i].y - y;
-    nearest = std::min(nearest, dx * dx + dy * dy);
-  }
-  return nearest;
 }
 
 }  // namespace pomdp_crowd_nav

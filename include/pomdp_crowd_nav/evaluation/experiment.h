@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "pomdp_crowd_nav/evaluation/episode.h"
+
+namespace pomdp_crowd_nav {
+
+// One episode of an experiment: everything that tells it from the others.
+struct Trial {
+  std::string world;
+  int pedestrians = 100;
+  std::string planner;
+  std::uint64_t seed = 1;
+};
+
+// Which episodes to run: all combinations, seeds first_seed .. first_seed + runs - 1 innermost, so
+// that every planner meets the same people.
+struct ExperimentPlan {
+  std::vector<std::string> worlds;
+  std::vector<int> pedestrians;
+  std::vector<std::string> planners;
+  int runs = 1;
+  std::uint64_t first_seed = 1;
+
+  std::vector<Trial> trials() const;
+};
+
+// Runs one trial to its end; called from several threads at once.
+using TrialRunner = std::function<EpisodeResult(const Trial&)>;
+// Receives every result in the order of the trials, whatever order they end in; never called from
+// two threads at once.
+using ResultSink = std::function<void(const Trial&, const EpisodeResult&)>;
+
+// Runs the trials on `jobs` threads. An exception of a runner stops the experiment and is thrown
+// on; results that came before it have been delivered.
+void runTrials(const std::vector<Trial>& trials, int jobs, const TrialRunner& runner,
+               const ResultSink& sink);
+
+// The columns of a results file, and a row of it (README, section Tools).
+std::string csvHeader();
+std::string csvRow(const Trial& trial, const EpisodeResult& result);
+
+}  // namespace pomdp_crowd_nav

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pomdp_crowd_nav/evaluation/experiment.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <exception>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+namespace pomdp_crowd_nav {
+namespace {
+
+// Hands out trials to workers and their results to the sink, in order.
+class Queue {
+ public:
+  Queue(const std::vector<Trial>& trials, const ResultSink& sink)
+      : trials_(trials), sink_(sink), results_(trials.size()) {}
+
+  std::optional<size_t> next() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (failure_ || next_ == trials_.size()) return std::nullopt;
+    return next_++;
+  }
+
+  void deliver(size_t index, EpisodeResult result) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    results_[index] = std::move(result);
+    while (delivered_ < trials_.size() && results_[delivered_]) {
+      sink_(trials_[delivered_], *results_[delivered_]);
+      results_[delivered_++].reset();
+    }
+  }
+
+  void fail(std::exception_ptr failure) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!failure_) failure_ = failure;
+  }
+
+  void rethrowFailure() const {
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+ private:
+  const std::vector<Trial>& trials_;
+  const ResultSink& sink_;
+  std::mutex mutex_;
+  std::vector<std::optional<EpisodeResult>> results_;
+  size_t next_ = 0;
+  size_t delivered_ = 0;
+  std::exception_ptr failure_;
+};
+
+void work(Queue& queue, const std::vector<Trial>& trials, const TrialRunner& runner) {
+  try {
+    while (const auto index = queue.next()) queue.deliver(*index, runner(trials[*index]));
+  } catch (...) {
+    queue.fail(std::current_exception());
+  }
+}
+
+// A number for a CSV cell; empty where nothing was measured.
+std::string cell(double value) {
+  return std::isfinite(value) ? fmt::format("{:.3f}", value) : std::string();
+}
+
+}  // namespace
+
+std::vector<Trial> ExperimentPlan::trials() const {
+  std::vector<Trial> all;
+  for (const std::string& world : worlds) {
+    for (const int count : pedestrians) {
+      for (const std::string& planner : planners) {
+        for (int run = 0; run < runs; ++run) {
+          all.push_back({world, count, planner, first_seed + static_cast<std::uint64_t>(run)});
+        }
+      }
+    }
+  }
+  return all;
+}
+
+void runTrials(const std::vector<Trial>& trials, int jobs, const TrialRunner& runner,
+               const ResultSink& sink) {
+  Queue queue(trials, sink);
+  std::vector<std::thread> workers;
+  for (int i = 0; i < jobs; ++i) {
+    workers.emplace_back([&] { work(queue, trials, runner); });
+  }
+  for (std::thread& worker : workers) worker.join();
+  queue.rethrowFailure();
+}
+
+std::string csvHeader() {
+  return "world,pedestrians,planner,seed,reached,travel_time_s,sudden_brakes,"
+         "min_moving_distance_m,unsafe_steps_1m,unsafe_ticks_0_5m,path_length_m,"
+         "mean_search_time_s,max_search_time_s,mean_trials,lower_bound_violations";
+}
+
+std::string csvRow(const Trial& trial, const EpisodeResult& result) {
+  const EpisodeMetrics& m = result.metrics;
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{:.6f},{:.6f},{:.1f},{}", trial.world,
+                     trial.pedestrians, trial.planner, trial.seed, result.reachedGoal() ? 1 : 0,
+                     cell(m.travel_time), m.sudden_brakes, cell(m.min_moving_distance),
+                     m.unsafe_steps, m.unsafe_ticks, cell(m.path_length), result.mean_search_time,
+                     result.max_search_time, result.mean_trials, result.bound_violations);
+}
+
+}  // namespace pomdp_crowd_nav

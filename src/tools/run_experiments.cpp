@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <map>
+#include <thread>
+
+#include "pomdp_crowd_nav/evaluation/experiment.h"
+#include "pomdp_crowd_nav/params/yaml_param_reader.h"
+
+using namespace pomdp_crowd_nav;
+
+namespace {
+
+struct Options {
+  ExperimentPlan plan{{"scenario_1"}, {100}, {"2d_fmm"}, 1, 1};
+  std::string config = "config";
+  std::string profile = "paper";
+  std::string output;
+  std::string tracks;
+  int jobs = 1;
+  double search_time = 0.0;
+  long max_trials = 200;
+};
+
+void addOptions(CLI::App& app, Options& options) {
+  app.add_option("--worlds", options.plan.worlds, "Names in config/worlds, or yaml files")
+      ->capture_default_str();
+  app.add_option("--pedestrians", options.plan.pedestrians, "Sizes of the crowd")
+      ->capture_default_str();
+  app.add_option("--planners", options.plan.planners, "Planners to compare")
+      ->capture_default_str();
+  app.add_option("--runs", options.plan.runs, "Episodes of each combination")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  app.add_option("--seed", options.plan.first_seed, "Seed of the first run; the others follow")
+      ->capture_default_str();
+  app.add_option("--jobs", options.jobs, "Episodes run at once")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  auto* time = app.add_option("--search-time", options.search_time,
+                              "Wall clock for each decision [s] (not reproducible to the bit)");
+  app.add_option("--max-trials", options.max_trials, "Search trials for each decision")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str()
+      ->excludes(time);
+  app.add_option("--profile", options.profile, "Name in config/profiles, or a yaml file")
+      ->capture_default_str();
+  app.add_option("--config", options.config, "Folder of worlds and profiles")
+      ->capture_default_str();
+  app.add_option("--tracks", options.tracks, "CSV of recorded people for worlds that replay them");
+  app.add_option("--output", options.output, "CSV to write; standard output without it");
+}
+
+std::string fileOf(const std::string& folder, const std::string& name) {
+  const bool is_file = name.size() > 5 && name.substr(name.size() - 5) == ".yaml";
+  return is_file ? name : folder + "/" + name + ".yaml";
+}
+
+EpisodeParams loadEpisodeParams(const Options& options) {
+  auto reader = YamlParamReader::fromFile(fileOf(options.config + "/profiles", options.profile));
+  EpisodeParams params;
+  params.navigation = loadNavigationParams(reader);
+  params.simulator = loadSimulatorParams(reader, params.navigation.planning.model.vehicle);
+  reader.requireAllUsed();
+  params.max_trials = options.max_trials;
+  if (options.search_time > 0.0) {
+    params.max_trials = 0;
+    params.navigation.search_time = options.search_time;
+  }
+  return params;
+}
+
+// Progress and time left, on standard error.
+class Progress {
+ public:
+  explicit Progress(size_t total) : total_(total) {}
+
+  void show(size_t done) const {
+    const double elapsed =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    const double left = elapsed / static_cast<double>(done) * static_cast<double>(total_ - done);
+    fmt::print(stderr, "\r{}/{} episodes, {:.0f} s left   {}", done, total_, left,
+               done == total_ ? "\n" : "");
+    std::fflush(stderr);
+  }
+
+ private:
+  size_t total_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+void run(const Options& options) {
+  const EpisodeParams base = loadEpisodeParams(options);
+  std::map<std::string, World> worlds;
+  for (const std::string& name : options.plan.worlds) {
+    World world = loadWorld(fileOf(options.config + "/worlds", name));
+    if (!options.tracks.empty()) world.tracks_file = options.tracks;
+    worlds.emplace(name, world);
+  }
+  const std::vector<Trial> trials = options.plan.trials();
+  std::FILE* out = options.output.empty() ? stdout : std::fopen(options.output.c_str(), "w");
+  if (out == nullptr) {
+    throw std::runtime_error(fmt::format("--output: cannot write '{}'", options.output));
+  }
+  fmt::print(out, "{}\n", csvHeader());
+  const Progress progress(trials.size());
+  size_t done = 0;
+  runTrials(
+      trials, options.jobs,
+      [&](const Trial& trial) {
+        EpisodeParams params = base;
+        params.navigation.planner = trial.planner;
+        params.simulator.pedestrians = trial.pedestrians;
+        params.seed = trial.seed;
+        return runEpisode(worlds.at(trial.world), params);
+      },
+      [&](const Trial& trial, const EpisodeResult& result) {
+        fmt::print(out, "{}\n", csvRow(trial, result));
+        std::fflush(out);
+        progress.show(++done);
+      });
+  if (out != stdout) std::fclose(out);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Drives episodes without ROS and writes one CSV row for each."};
+  Options options;
+  addOptions(app, options);
+  CLI11_PARSE(app, argc, argv);
+  try {
+    run(options);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "run_experiments: {}\n", error.what());
+    return 2;
+  }
+  return 0;
+}
