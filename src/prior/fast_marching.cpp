@@ -73,19 +73,14 @@ void FastMarching::update(int cell) {
   std::push_heap(queue_.begin(), queue_.end());
 }
 
-// A second-order difference needs a second cell in line that was reached before the first. The
-// front may also not have been much slower there than it is here: across a jump in speed T has a
-// kink, and the extra point would carry the slope of the far side over to this one.
+// A second-order difference needs a second cell in line that was reached before the first.
 FastMarching::Upwind FastMarching::upwind(int cell, int axis_step, bool second_order) const {
   const int step = time_[cell - axis_step] <= time_[cell + axis_step] ? -axis_step : axis_step;
   const double first = time_[cell + step];
   if (first == kNever) return {};
   const double second = time_[cell + 2 * step];
   const double length = path_length_[cell + step];
-  constexpr double kKink = 1.5;
-  if (!second_order || second > first || first - second > kKink * crossing_time_[cell]) {
-    return {1.0, first, length, first};
-  }
+  if (!second_order || second > first) return {1.0, first, length, first};
   const double second_length = path_length_[cell + 2 * step];
   return {2.25, (4.0 * first - second) / 3.0, (4.0 * length - second_length) / 3.0, first};
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <random>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -166,6 +167,29 @@ TEST(ArrivalTimeFieldTest, SourceInASlowAreaStartsTheFrontThere) {
   const ArrivalTimeField field(makeMap(20.0, 100, speed), {4.0, 10.0});
   EXPECT_NEAR(field.timeAt({15.0, 10.0}), 1.0 / 0.01 + 10.0, 15.0);
   EXPECT_NEAR(field.pathLengthAt({15.0, 10.0}), 11.0, 0.1);
+  // 1 m out of the slow area and 0.3 m back into it beat 2.6 m inside.
+  EXPECT_NEAR(field.timeAt({4.7, 12.5}), 1.3 / 0.01 + 2.5, 15.0);
+}
+
+// Whatever the speeds: a front enters a cell from an earlier neighbour, in no more than the time
+// to cross it.
+TEST(ArrivalTimeFieldTest, EveryCellIsReachedThroughAnEarlierNeighbour) {
+  std::mt19937 random(3);
+  std::lognormal_distribution<double> any_speed(0.0, 1.5);
+  const Point source(5.0, 5.0);
+  const SpeedMap map = makeMap(10.0, 100, [&](const Point&) { return any_speed(random); });
+  const ArrivalTimeField field(map, source);
+  const GridFrame& grid = field.grid();
+  for (int row = 1; row < grid.rows - 1; ++row) {
+    for (int column = 1; column < grid.columns - 1; ++column) {
+      if ((grid.center(column, row) - source).norm() < 0.2) continue;
+      const float* t = &field.times()[grid.index(column, row)];
+      const float earliest = std::min({t[-1], t[1], t[-grid.columns], t[grid.columns]});
+      const double crossing_time = grid.resolution / map.speed[grid.index(column, row)];
+      ASSERT_GE(*t, earliest);
+      ASSERT_LE(*t, earliest + crossing_time * 1.0001 + 1e-5);
+    }
+  }
 }
 
 // A wall ends the exact disc's sight: behind it the way leads round the wall's end.

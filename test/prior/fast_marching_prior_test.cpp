@@ -47,10 +47,12 @@ TEST(FastMarchingPriorTest, SpeedFallsInsideTheClearanceAndAgainInsideTheObstacl
 }
 
 TEST(FastMarchingPriorTest, PointsAtTheGoalOnAFreeField) {
-  const FastMarchingPrior prior(mapWith({}), {23.0, 31.0}, PriorParams());
-  for (double x = 0.0; x <= 40.0; x += 0.73) {
-    for (double y = 0.0; y <= 40.0; y += 0.73) {
-      ASSERT_LT(offBearing(prior, {x, y}), 0.02) << "at " << x << ' ' << y;
+  for (const Point& goal : {Point(23.0, 31.0), Point(5.0, 9.0)}) {
+    const FastMarchingPrior prior(mapWith({}), goal, PriorParams());
+    for (double x = 0.0; x <= 40.0; x += 0.73) {
+      for (double y = 0.0; y <= 40.0; y += 0.73) {
+        ASSERT_LT(offBearing(prior, {x, y}), 0.03) << "at " << x << ' ' << y;
+      }
     }
   }
 }
