@@ -19,7 +19,7 @@ void forEachNeighbour(const GridFrame& grid, int column, int row, Visit visit) {
 
 // T jumps at the edge of a slow area, and a gradient taken across the jump would drive a robot on
 // a path along the edge away from it. So slow cells at the edge appear no later than the fast ones
-// beside them, the latest of which keeps them from being a way out of a thin wall.
+// beside them: than the latest of those, lest a thin wall look like a way to its other side.
 std::vector<float> timesWithoutJumps(const ArrivalTimeField& field, const SpeedMap& speed_map) {
   const GridFrame& grid = field.grid();
   constexpr float kJump = 2.0F;  // a neighbour faster by this factor is across an edge

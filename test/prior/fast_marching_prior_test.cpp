@@ -126,6 +126,21 @@ TEST(FastMarchingPriorTest, LeadsOutOfAnObstacleTheShortWay) {
   EXPECT_LT(inside, 2.0);  // [m]; 1.5 m to the edge
 }
 
+TEST(FastMarchingPriorTest, WallOfOneCellIsGoneRound) {
+  StaticMap::Obstacles obstacles;
+  obstacles.polygons = {{{{20.1, 0.0}, {20.1, 25.1}}, false}};
+  const StaticMap map(Bounds{{0.0, 0.0}, {40.0, 40.0}}, obstacles);
+  PriorParams params;
+  params.clearance = 0.05;
+  params.extra_clearance = 0.0;
+  params.blocked_speed = 1e-3;  // 200 s through the wall
+  const FastMarchingPrior prior(map, {23.0, 10.0}, params);
+  for (double y = 1.1; y < 25.0; y += 0.57) {
+    ASSERT_GT(*prior.directionAt({{19.7, y}, 0.0}), M_PI / 4.0) << "at y " << y;
+  }
+  EXPECT_NEAR(prior.distanceToGoal({19.7, 10.0}), 15.1 + std::hypot(2.9, 15.1), 1.0);
+}
+
 TEST(FastMarchingPriorTest, DistanceIsTrueLengthForAGoalInsideTheClearance) {
   const StaticMap map = mapWith({{{20.0, 20.0}, 5.0}});
   const FastMarchingPrior prior(map, {26.5, 20.0}, PriorParams());

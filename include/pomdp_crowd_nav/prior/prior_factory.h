@@ -17,7 +17,8 @@ struct PriorParams {
   // [m], paths keep a little more, so that straight steps along them stay outside `clearance`
   double extra_clearance = 0.3;
   // Speed of the front inside the clearance as a share of its free speed, in (0, 1): low enough
-  // to go round, above zero so that a robot that got inside is led out.
+  // to go round, above zero so that a robot that got inside is led out. A band of width w is cut
+  // through where the way round is longer by more than w / blocked_speed.
   double blocked_speed = 0.01;
 };
 
