@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "pomdp_crowd_nav/control/emergency_override.h"
+#include "pomdp_crowd_nav/ros/drive.h"
+
+namespace pomdp_crowd_nav {
+
+// What happens at every tick of the command timer, without ROS: is the goal reached, is an input
+// missing, is somebody too close, and which velocity follows from all that.
+class CommandLoop {
+ public:
+  explicit CommandLoop(const PlannerNodeParams& params);
+
+  struct Tick {
+    std::optional<BaseCommand> command;  // none while the base is nobody's business
+    std::optional<Ending> finished;      // a trip whose base is at rest: report it now
+  };
+
+  // `now` [s], steady clock.
+  Tick tick(double now, Drive& drive);
+
+  const InputLimits& limits() const { return limits_; }
+
+ private:
+  void watchInputs(double now, Drive& drive) const;
+  void watchPeople(double now, Drive& drive) const;
+  bool hasReachedGoal(const Drive& drive) const;
+  bool isFresh(double now, const Drive& drive) const;
+  bool isAtRest(double now, const Drive& drive);
+  bool isOver(double now, const Drive& drive, bool at_rest) const;
+  double yawError(const Drive& drive) const;
+  BaseCommand turnInPlace(double yaw_error);
+
+  InputLimits limits_;
+  double goal_tolerance_;  // [m]
+  double yaw_tolerance_;   // [rad]
+  double yaw_gain_;        // [1/s]
+  double period_;          // [s]
+  VehicleParams vehicle_;
+  EmergencyOverride emergency_;
+  bool resting_ = true;  // the base has been at rest since the last trip
+  double rest_since_ = -1.0;
+  double last_yaw_rate_ = 0.0;
+};
+
+// Ends the trip: from now on the base is stopped. Does nothing without a goal.
+void endTrip(Outcome outcome, const std::string& text, double now, Drive& drive);
+
+}  // namespace pomdp_crowd_nav

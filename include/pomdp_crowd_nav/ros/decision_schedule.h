@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace pomdp_crowd_nav {
+
+// When a decision is worked out and when it takes effect; all times [s], steady clock.
+struct DecisionSlot {
+  double start = 0.0;     // the newest inputs are taken and the search begins
+  double deadline = 0.0;  // the search ends
+  double effect = 0.0;    // the base begins to follow; a decision that is later is dropped
+};
+
+// Decisions take effect at even intervals; each is searched for in the time just before.
+class DecisionSchedule {
+ public:
+  static constexpr double kMargin = 0.03;  // [s] before the search and between search and effect
+
+  // A search that does not fit into the step is shortened.
+  DecisionSchedule(double step, double search_time);
+
+  // The first decision takes effect as soon as one can be made from `now` on.
+  void restart(double now);
+
+  // The next slot that does not begin before `now`; slots that were slept through are left out.
+  DecisionSlot next(double now);
+
+  double step() const { return step_; }
+  double searchTime() const { return search_time_; }
+
+ private:
+  double step_;
+  double search_time_;
+  double next_effect_ = 0.0;
+};
+
+}  // namespace pomdp_crowd_nav

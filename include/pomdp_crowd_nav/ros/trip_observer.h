@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "pomdp_crowd_nav/evaluation/metrics.h"
+#include "pomdp_crowd_nav/sim/simulator.h"
+
+namespace pomdp_crowd_nav {
+
+// Measures the robot's trips from the truth of the simulator, without ROS.
+//
+// A trip begins with a goal, or else with the first motion, and its clock stops when the robot
+// comes within the goal tolerance.
+class TripObserver {
+ public:
+  struct Params {
+    MetricsRecorder::Params metrics;
+    double goal_tolerance = 1.0;  // [m]
+    double trail_spacing = 0.25;  // [m], between points of the driven trail
+  };
+
+  TripObserver(const Params& params, const Point& goal);
+
+  void begin(const Point& goal, double time);
+
+  // Once per tick of the crowd.
+  void tick(const Simulator& simulator);
+
+  const EpisodeMetrics& metrics() const { return recorder_.metrics(); }
+  const std::vector<Point>& trail() const { return trail_; }
+  bool hasReachedGoal() const { return has_reached_goal_; }
+
+ private:
+  void extendTrail(const Point& robot);
+
+  Params params_;
+  Point goal_;
+  std::optional<double> begin_time_;  // [s] of the simulation
+  bool has_reached_goal_ = false;
+  MetricsRecorder recorder_;
+  std::vector<Point> trail_;
+};
+
+}  // namespace pomdp_crowd_nav

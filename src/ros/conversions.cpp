@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pomdp_crowd_nav/ros/conversions.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace pomdp_crowd_nav {
+namespace {
+
+constexpr int kOccupied = 65;         // of 100, as map_server's default threshold
+constexpr double kTurnedGrid = 1e-3;  // [rad]
+
+Point toPoint(const geometry_msgs::Point& p) { return {p.x, p.y}; }
+Point toPoint(const geometry_msgs::Vector3& v) { return {v.x, v.y}; }
+
+// Yaw of a rotation; none when the quaternion is far from unit length.
+std::optional<double> toYaw(const geometry_msgs::Quaternion& q) {
+  const double norm = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
+  if (!std::isfinite(norm) || std::abs(norm - 1.0) > 0.1) return std::nullopt;
+  return std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z));
+}
+
+std::optional<Pose> toPose(const Point& position, const geometry_msgs::Quaternion& orientation) {
+  const std::optional<double> yaw = toYaw(orientation);
+  if (!yaw || !position.allFinite()) return std::nullopt;
+  return Pose{position, *yaw};
+}
+
+geometry_msgs::Quaternion toQuaternion(double yaw) {
+  geometry_msgs::Quaternion q;
+  q.z = std::sin(0.5 * yaw);
+  q.w = std::cos(0.5 * yaw);
+  return q;
+}
+
+geometry_msgs::Vector3 toVector(const Point& point) {
+  geometry_msgs::Vector3 vector;
+  vector.x = point.x();
+  vector.y = point.y();
+  return vector;
+}
+
+}  // namespace
+
+Point rotated(double angle, const Point& vector) {
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  return {c * vector.x() - s * vector.y(), s * vector.x() + c * vector.y()};
+}
+
+Point transformed(const Pose& frame, const Point& local) {
+  return frame.position + rotated(frame.heading, local);
+}
+
+Pose transformed(const Pose& frame, const Pose& local) {
+  return {transformed(frame, local.position), wrapAngle(frame.heading + local.heading)};
+}
+
+Pose inverse(const Pose& frame) {
+  return {rotated(-frame.heading, -frame.position), wrapAngle(-frame.heading)};
+}
+
+std::optional<Pose> toPose(const geometry_msgs::Pose& pose) {
+  return toPose(toPoint(pose.position), pose.orientation);
+}
+
+std::optional<Pose> toPose(const geometry_msgs::Transform& transform) {
+  return toPose(toPoint(transform.translation), transform.rotation);
+}
+
+std::optional<BaseCommand> toCommand(const geometry_msgs::Twist& twist) {
+  const BaseCommand command{toPoint(twist.linear), twist.angular.z};
+  if (!command.velocity.allFinite() || !std::isfinite(command.yaw_rate)) return std::nullopt;
+  return command;
+}
+
+std::optional<RobotReading> toReading(const nav_msgs::Odometry& odometry, const Pose& odom_frame) {
+  const std::optional<Pose> pose = toPose(odometry.pose.pose);
+  const std::optional<BaseCommand> twist = toCommand(odometry.twist.twist);
+  if (!pose || !twist) return std::nullopt;
+  RobotReading reading;
+  reading.pose = transformed(odom_frame, *pose);
+  reading.velocity = rotated(reading.pose.heading, twist->velocity);
+  reading.yaw_rate = twist->yaw_rate;
+  return reading;
+}
+
+TrackList toTracks(const TrackedPersons& persons, const Pose& frame) {
+  TrackList list;
+  list.stamp = persons.header.stamp.toSec();
+  for (const TrackedPerson& person : persons.tracks) {
+    Track track;
+    track.id = static_cast<std::int64_t>(person.track_id);
+    track.position = transformed(frame, toPoint(person.pose.pose.position));
+    track.velocity = rotated(frame.heading, toPoint(person.twist.twist.linear));
+    if (!track.position.allFinite()) continue;
+    if (!track.velocity.allFinite()) track.velocity = Point(0.0, 0.0);
+    list.tracks.push_back(track);
+  }
+  return list;
+}
+
+std::shared_ptr<const StaticMap> toStaticMap(const nav_msgs::OccupancyGrid& grid) {
+  const std::optional<Pose> origin = toPose(grid.info.origin);
+  const size_t cells = static_cast<size_t>(grid.info.width) * grid.info.height;
+  if (cells == 0 || cells != grid.data.size()) {
+    throw std::invalid_argument(fmt::format("map: {} x {} cells announced, {} sent",
+                                            grid.info.width, grid.info.height, grid.data.size()));
+  }
+  if (!origin || std::abs(origin->heading) > kTurnedGrid) {
+    throw std::invalid_argument("map: its origin must be finite and not turned");
+  }
+  OccupancyGrid blocked;
+  blocked.origin = origin->position;
+  blocked.resolution = grid.info.resolution;
+  blocked.columns = static_cast<int>(grid.info.width);
+  blocked.rows = static_cast<int>(grid.info.height);
+  for (const int cell : grid.data) blocked.blocked.push_back(cell < 0 || cell >= kOccupied);
+  const Point size = blocked.resolution * Point(blocked.columns, blocked.rows);
+  StaticMap::Obstacles obstacles;
+  obstacles.grid = std::move(blocked);
+  return std::make_shared<const StaticMap>(Bounds{origin->position, Point(origin->position + size)},
+                                           std::move(obstacles));
+}
+
+geometry_msgs::Point toMessage(const Point& point, double z) {
+  geometry_msgs::Point message;
+  message.x = point.x();
+  message.y = point.y();
+  message.z = z;
+  return message;
+}
+
+geometry_msgs::Pose toMessage(const Pose& pose) {
+  geometry_msgs::Pose message;
+  message.position = toMessage(pose.position);
+  message.orientation = toQuaternion(pose.heading);
+  return message;
+}
+
+geometry_msgs::Transform toTransform(const Pose& pose) {
+  geometry_msgs::Transform message;
+  message.translation = toVector(pose.position);
+  message.rotation = toQuaternion(pose.heading);
+  return message;
+}
+
+geometry_msgs::Twist toMessage(const BaseCommand& command) {
+  geometry_msgs::Twist message;
+  message.linear = toVector(command.velocity);
+  message.angular.z = command.yaw_rate;
+  return message;
+}
+
+nav_msgs::Path toMessage(const std::vector<Point>& path, const std_msgs::Header& header) {
+  nav_msgs::Path message;
+  message.header = header;
+  for (size_t i = 0; i < path.size(); ++i) {
+    const Point& next = path[std::min(i + 1, path.size() - 1)];
+    const Point& before = i + 1 < path.size() ? path[i] : path[i == 0 ? 0 : i - 1];
+    geometry_msgs::PoseStamped pose;
+    pose.header = header;
+    pose.pose = toMessage(Pose{path[i], bearing(before, next)});
+    message.poses.push_back(pose);
+  }
+  return message;
+}
+
+CrowdBeliefMessage toMessage(const CrowdBelief& crowd, const std::vector<Point>& destinations,
+                             const std_msgs::Header& header) {
+  CrowdBeliefMessage message;
+  message.header = header;
+  for (const Point& destination : destinations) {
+    message.destinations.push_back(toMessage(destination));
+  }
+  for (const PersonBelief& person : crowd.people) {
+    PersonBeliefMessage belief;
+    belief.id = person.id;
+    belief.position = toMessage(person.position);
+    belief.velocity = toVector(person.velocity);
+    belief.probabilities = person.intention.probabilities();
+    message.people.push_back(belief);
+  }
+  return message;
+}
+
+TrackedPersons toMessage(const TrackList& tracks, const std_msgs::Header& header) {
+  TrackedPersons message;
+  message.header = header;
+  for (const Track& track : tracks.tracks) {
+    TrackedPerson person;
+    person.track_id = static_cast<std::uint64_t>(track.id);
+    person.detection_id = person.track_id;
+    person.is_matched = true;
+    const bool moves = track.velocity.norm() > 0.0;
+    const double heading = moves ? bearing(Point(0.0, 0.0), track.velocity) : 0.0;
+    person.pose.pose = toMessage(Pose{track.position, heading});
+    person.twist.twist.linear = toVector(track.velocity);
+    message.tracks.push_back(person);
+  }
+  return message;
+}
+
+EpisodeMetricsMessage toMessage(const EpisodeMetrics& metrics) {
+  EpisodeMetricsMessage message;
+  message.travel_time = metrics.travel_time;
+  message.path_length = metrics.path_length;
+  message.min_moving_distance = metrics.min_moving_distance;
+  message.unsafe_steps = static_cast<std::uint32_t>(metrics.unsafe_steps);
+  message.unsafe_ticks = static_cast<std::uint32_t>(metrics.unsafe_ticks);
+  message.contact_ticks = static_cast<std::uint32_t>(metrics.contact_ticks);
+  message.max_speed = metrics.max_speed;
+  message.decisions = static_cast<std::uint32_t>(metrics.decisions);
+  message.deadline_misses = static_cast<std::uint32_t>(metrics.deadline_misses);
+  message.sudden_brakes = static_cast<std::uint32_t>(metrics.sudden_brakes);
+  return message;
+}
+
+nav_msgs::OccupancyGrid toMessage(const StaticMap& map, double resolution,
+                                  const std_msgs::Header& header) {
+  const Point size = map.bounds().max - map.bounds().min;
+  nav_msgs::OccupancyGrid message;
+  message.header = header;
+  message.info.map_load_time = header.stamp;
+  message.info.resolution = static_cast<float>(resolution);
+  message.info.width = static_cast<std::uint32_t>(std::ceil(size.x() / resolution - 1e-6));
+  message.info.height = static_cast<std::uint32_t>(std::ceil(size.y() / resolution - 1e-6));
+  message.info.origin = toMessage(Pose{map.bounds().min, 0.0});
+  for (std::uint32_t row = 0; row < message.info.height; ++row) {
+    for (std::uint32_t column = 0; column < message.info.width; ++column) {
+      const Point center = map.bounds().min + resolution * Point(column + 0.5, row + 0.5);
+      message.data.push_back(map.clearance(center) <= 0.5 * resolution ? 100 : 0);
+    }
+  }
+  return message;
+}
+
+}  // namespace pomdp_crowd_nav

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pomdp_crowd_nav/ros/decision_schedule.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pomdp_crowd_nav {
+
+DecisionSchedule::DecisionSchedule(double step, double search_time)
+    : step_(step), search_time_(std::min(search_time, step - 3.0 * kMargin)) {}
+
+void DecisionSchedule::restart(double now) { next_effect_ = now + search_time_ + 2.0 * kMargin; }
+
+DecisionSlot DecisionSchedule::next(double now) {
+  const double lead = search_time_ + kMargin;
+  const double late = now - (next_effect_ - lead);
+  if (late > kMargin) next_effect_ += step_ * std::ceil((late - kMargin) / step_);
+  const DecisionSlot slot{next_effect_ - lead, next_effect_ - kMargin, next_effect_};
+  next_effect_ += step_;
+  return slot;
+}
+
+}  // namespace pomdp_crowd_nav

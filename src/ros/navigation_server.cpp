@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pomdp_crowd_nav/ros/navigation_server.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <thread>
+
+#include "pomdp_crowd_nav/planner/planner_factory.h"
+#include "pomdp_crowd_nav/ros/steady_time.h"
+
+namespace pomdp_crowd_nav {
+namespace {
+
+constexpr double kReportPeriod = 0.25;     // [s], of beliefs; status comes with every second one
+constexpr int kReportsPerDiagnostics = 4;  // 1 Hz
+
+MotionExecutor makeExecutor(const NavigationParams& params) {
+  return MotionExecutor(params.command, params.planning.model.vehicle,
+                        1.0 / params.controller_frequency);
+}
+
+// Why nobody can drive to a place; empty when it is free.
+std::string whyUnreachable(const Point& goal, const StaticMap& map) {
+  const std::string place = fmt::format("goal ({:.2f}, {:.2f})", goal.x(), goal.y());
+  if (!map.bounds().contains(goal)) return place + " is off the map";
+  if (map.clearance(goal) <= 0.0) return place + " is inside an obstacle";
+  return "";
+}
+
+}  // namespace
+
+NavigationServer::NavigationServer(ros::NodeHandle node, ros::NodeHandle private_node,
+                                   const PlannerNodeParams& params)
+    : params_(params),
+      drive_(Drive(makeExecutor(params.navigation))),
+      command_loop_(params),
+      inputs_(node, params, drive_),
+      display_(private_node, params.frames.global, params.destinations),
+      status_(node, private_node, params.frames.base),
+      commands_(node.advertise<geometry_msgs::Twist>("cmd_vel", 1)),
+      goals_(node, {[this](const auto& goal, std::string& why) { return checkGoal(goal, why); },
+                    [this](const Goal& goal) { startTrip(goal); }, [this] { cancelTrip(); }}),
+      pause_(private_node.advertiseService("pause", &NavigationServer::onPause, this)),
+      make_plan_(private_node.advertiseService("make_plan", &NavigationServer::onMakePlan, this)),
+      decisions_(
+          params, drive_,
+          {[this](const auto& report, const Planner& planner) { reportDecision(report, planner); },
+           [this](const Goal& goal, const std::string& why) { failTrip(goal, why); }}),
+      command_spinner_(1, &command_queue_) {
+  command_timer_ = startTimer(node, 1.0 / params.navigation.controller_frequency, &command_queue_,
+                              &NavigationServer::onCommandTimer);
+  report_timer_ = startTimer(node, kReportPeriod, nullptr, &NavigationServer::onReportTimer);
+  command_spinner_.start();
+}
+
+NavigationServer::~NavigationServer() {
+  command_spinner_.stop();
+  command_timer_.stop();
+  report_timer_.stop();
+}
+
+ros::SteadyTimer NavigationServer::startTimer(ros::NodeHandle& node, double period,
+                                              ros::CallbackQueue* queue,
+                                              void (NavigationServer::*callback)()) {
+  ros::SteadyTimerOptions options;
+  options.period = ros::WallDuration(period);
+  options.callback = [this, callback](const ros::SteadyTimerEvent&) { (this->*callback)(); };
+  options.callback_queue = queue;
+  return node.createSteadyTimer(options);
+}
+
+std::optional<Pose> NavigationServer::checkGoal(const geometry_msgs::PoseStamped& goal,
+                                                std::string& reason) {
+  const std::optional<Pose> local = toPose(goal.pose);
+  if (!local) {
+    reason = "goal is not finite or its orientation is no rotation";
+    return std::nullopt;
+  }
+  const std::optional<Pose> frame = inputs_.frameAt(goal.header.frame_id, goal.header.stamp);
+  if (!frame) {
+    reason = fmt::format("no transform from the goal's frame '{}' to '{}'", goal.header.frame_id,
+                         params_.frames.global);
+    return std::nullopt;
+  }
+  const Pose pose = transformed(*frame, *local);
+  const auto map = drive_.with([](Drive& drive) { return drive.inputs.map; });
+  if (map) reason = whyUnreachable(pose.position, *map);
+  return reason.empty() ? std::optional<Pose>(pose) : std::nullopt;
+}
+
+void NavigationServer::startTrip(const Goal& goal) {
+  const auto unfinished = drive_.with([&](Drive& drive) {
+    const auto ending = drive.ending;
+    drive.ending.reset();
+    drive.goal = goal;
+    drive.prepared = false;
+    drive.blocker = Blocker();
+    drive.counts = TripCounts();
+    drive.search = SearchStatistics();
+    return ending;
+  });
+  if (unfinished) goals_.finish(*unfinished);
+  display_.showGoal(goal);
+  ROS_INFO("new goal (%.2f, %.2f)", goal.pose.position.x(), goal.pose.position.y());
+}
+
+void NavigationServer::cancelTrip() {
+  drive_.with(
+      [](Drive& drive) { endTrip(Outcome::kCancelled, "cancelled", steadySeconds(), drive); });
+}
+
+void NavigationServer::failTrip(const Goal& goal, const std::string& reason) {
+  drive_.with([&](Drive& drive) {
+    if (drive.goal.number != goal.number) return;
+    endTrip(Outcome::kFailed, reason, steadySeconds(), drive);
+  });
+}
+
+void NavigationServer::reportDecision(const DecisionReport& report, const Planner& planner) {
+  publishStatus();
+  geometry_msgs::PoseStamped robot;
+  robot.header.frame_id = params_.frames.global;
+  robot.header.stamp = ros::Time::now();
+  robot.pose = toMessage(report.robot);
+  goals_.publishFeedback(robot);
+  display_.showDecision(report, planner);
+}
+
+void NavigationServer::onCommandTimer() {
+  const double now = steadySeconds();
+  std::uint8_t state = 0;
+  const CommandLoop::Tick tick = drive_.with([&](Drive& drive) {
+    const CommandLoop::Tick result = command_loop_.tick(now, drive);
+    state = toStatus(drive, command_loop_.limits(), now).state;
+    return result;
+  });
+  if (tick.command) commands_.publish(toMessage(*tick.command));
+  is_active_ = tick.command.has_value();
+  if (tick.finished) {
+    ROS_INFO("trip is over: %s", tick.finished->text.c_str());
+    goals_.finish(*tick.finished);
+    display_.clearPlans();
+  }
+  if (state != last_state_) publishStatus();
+  last_state_ = state;
+}
+
+void NavigationServer::onReportTimer() {
+  display_.showBeliefs(drive_.with([](Drive& drive) { return drive.inputs.crowd; }));
+  if (++reports_ % 2 == 0) publishStatus();
+  if (reports_ % kReportsPerDiagnostics == 0) status_.publishDiagnostics();
+}
+
+void NavigationServer::publishStatus() {
+  status_.publish(drive_.with(
+      [this](Drive& drive) { return toStatus(drive, command_loop_.limits(), steadySeconds()); }));
+}
+
+bool NavigationServer::onPause(PauseService::Request& request, PauseService::Response& response) {
+  drive_.with([&](Drive& drive) { drive.paused = request.data; });
+  response.success = true;
+  response.message = request.data ? "paused" : "resumed";
+  return true;
+}
+
+bool NavigationServer::onMakePlan(nav_msgs::GetPlan::Request& request,
+                                  nav_msgs::GetPlan::Response& response) {
+  std::string reason;
+  const std::optional<Pose> start = checkGoal(request.start, reason);
+  const std::optional<Pose> goal = start ? checkGoal(request.goal, reason) : std::nullopt;
+  const auto map = drive_.with([](Drive& drive) { return drive.inputs.map; });
+  if (!goal || !map) {
+    ROS_WARN("make_plan: %s", reason.empty() ? "no map yet" : reason.c_str());
+    return false;
+  }
+  try {
+    const auto planner =
+        makePlanner(params_.navigation.planner, Task{*map, goal->position, params_.destinations},
+                    params_.navigation.planning);
+    std_msgs::Header header;
+    header.frame_id = params_.frames.global;
+    header.stamp = ros::Time::now();
+    response.plan = toMessage(planner->globalPath(start->position), header);
+  } catch (const std::exception& error) {
+    ROS_WARN("make_plan: %s", error.what());
+    return false;
+  }
+  return true;
+}
+
+void NavigationServer::stopBase() {
+  cancelTrip();
+  const double give_up = steadySeconds() + 2.0;
+  while (is_active_ && steadySeconds() < give_up) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+}
+
+}  // namespace pomdp_crowd_nav

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pomdp_crowd_nav/ros/status_reporter.h"
+
+#include <diagnostic_msgs/DiagnosticStatus.h>
+
+namespace pomdp_crowd_nav {
+
+using diagnostic_msgs::DiagnosticStatus;
+using diagnostic_updater::DiagnosticStatusWrapper;
+
+StatusReporter::StatusReporter(ros::NodeHandle& node, ros::NodeHandle& private_node,
+                               const std::string& hardware_id)
+    : publisher_(private_node.advertise<PlannerStatus>("status", 10, true)),
+      updater_(node, private_node) {
+  updater_.setHardwareID(hardware_id);
+  updater_.add("navigation state", this, &StatusReporter::diagnoseState);
+  updater_.add("planning cycle", this, &StatusReporter::diagnoseTiming);
+}
+
+void StatusReporter::publish(PlannerStatus status) {
+  status.header.stamp = ros::Time::now();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  status_ = status;
+  publisher_.publish(status);
+}
+
+void StatusReporter::publishDiagnostics() { updater_.force_update(); }
+
+PlannerStatus StatusReporter::newest() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return status_;
+}
+
+void StatusReporter::diagnoseState(DiagnosticStatusWrapper& out) {
+  const PlannerStatus status = newest();
+  const bool lacks_input = status.state == PlannerStatus::WAITING_FOR_INPUT;
+  out.summary(
+      lacks_input ? DiagnosticStatus::ERROR : DiagnosticStatus::OK,
+      status.stop_cause.empty() ? status.state_name : status.state_name + ": " + status.stop_cause);
+  out.add("odometry age [s]", status.odom_age);
+  out.add("people age [s]", status.people_age);
+  out.add("map age [s]", status.map_age);
+  out.add("odometry messages not finite", status.bad_odometry);
+  out.add("messages without transform", status.transform_failures);
+  out.add("blocking person", status.blocking_person);
+  out.add("blocked for [s]", status.blocked_for);
+}
+
+void StatusReporter::diagnoseTiming(DiagnosticStatusWrapper& out) {
+  const PlannerStatus status = newest();
+  constexpr double kManyMisses = 0.05;  // share of the decisions
+  const bool misses_many = status.deadline_misses > kManyMisses * status.decisions;
+  out.summary(misses_many ? DiagnosticStatus::WARN : DiagnosticStatus::OK,
+              misses_many ? "decisions come too late" : "decisions come in time");
+  out.add("decisions", status.decisions);
+  out.add("deadline misses", status.deadline_misses);
+  out.add("sudden brakes", status.sudden_brakes);
+  out.add("last cycle [s]", status.cycle_time);
+  out.add("trials", status.trials);
+  out.add("tree size", status.tree_size);
+}
+
+}  // namespace pomdp_crowd_nav

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pomdp_crowd_nav/ros/trip_observer.h"
+
+namespace pomdp_crowd_nav {
+namespace {
+
+constexpr size_t kLongestTrail = 5000;  // points, older ones are forgotten
+
+}  // namespace
+
+TripObserver::TripObserver(const Params& params, const Point& goal)
+    : params_(params), goal_(goal), recorder_(params.metrics) {}
+
+void TripObserver::begin(const Point& goal, double time) {
+  goal_ = goal;
+  begin_time_ = time;
+  has_reached_goal_ = false;
+  recorder_.reset();
+  trail_.clear();
+}
+
+void TripObserver::tick(const Simulator& simulator) {
+  const Point& robot = simulator.base().pose().position;
+  const double speed = simulator.base().velocity().norm();
+  if (!begin_time_ && speed < params_.metrics.moving_speed) return;
+  if (!begin_time_) begin(goal_, simulator.time() - Crowd::kTick);
+  extendTrail(robot);
+  if (has_reached_goal_) return;
+  recorder_.tick(simulator.time() - *begin_time_, robot, speed, simulator.crowd().walkers());
+  has_reached_goal_ = (robot - goal_).norm() <= params_.goal_tolerance;
+}
+
+void TripObserver::extendTrail(const Point& robot) {
+  if (!trail_.empty() && (robot - trail_.back()).norm() < params_.trail_spacing) return;
+  if (trail_.size() >= kLongestTrail) trail_.erase(trail_.begin(), trail_.begin() + 1000);
+  trail_.push_back(robot);
+}
+
+}  // namespace pomdp_crowd_nav
