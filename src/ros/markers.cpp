@@ -12,10 +12,7 @@ namespace {
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
-constexpr double kPersonSize = 0.7;   // [m], drawn a little larger than life
-constexpr double kHeadingLine = 2.0;  // [m], toward the most likely destination
-constexpr double kDash = 0.5;         // [m]
-constexpr int kFadeDepth = 12;        // edges this deep and deeper are the faintest
+constexpr int kFadeDepth = 12;  // edges this deep and deeper are the faintest
 
 // From red at 0 over yellow to green at 1.
 std_msgs::ColorRGBA valueColor(double share, double alpha) {
@@ -74,87 +71,89 @@ std_msgs::ColorRGBA destinationColor(size_t index, double alpha) {
   return color(c[0], c[1], c[2], alpha);
 }
 
+double symbolSize(const Bounds& field) {
+  return std::clamp(0.007 * (field.max - field.min).norm(), 0.4, 1.0);
+}
+
 MarkerArray worldMarkers(const World& world, double tolerance, const std_msgs::Header& header) {
   MarkerBuilder builder(header);
-  Marker& edges = builder.beginList("outlines", Marker::LINE_LIST, 0.25, 0.02);
+  const double size = symbolSize(world.bounds);
+  Marker& edges = builder.beginList("outlines", Marker::LINE_LIST, 0.3 * size, 0.02);
   const auto grey = color(0.25, 0.27, 0.30);
   addPolygon(outline(world.bounds), grey, edges);
   for (const Polygon& polygon : world.obstacles.polygons) addPolygon(polygon, grey, edges);
   for (const Circle& circle : world.obstacles.circles) {
     addCircle(circle.center, circle.radius, grey, edges);
   }
-  const double size = 0.01 * (world.bounds.max - world.bounds.min).norm();
   addCircle(world.goal, tolerance, color(0.0, 0.55, 0.25), edges);
   Marker& areas = builder.beginList("areas", Marker::TRIANGLE_LIST, 1.0, 0.01);
   for (const Circle& circle : world.obstacles.circles) {
-    addDisc(circle.center, circle.radius, color(0.45, 0.47, 0.50), areas);
+    addDisc(circle.center, circle.radius, color(0.62, 0.64, 0.67), areas);
   }
   addDisc(world.goal, tolerance, color(0.0, 0.75, 0.35, 0.6), areas);
-  addDisc(world.start.position, 0.5 * tolerance, color(0.5, 0.5, 0.5, 0.6), areas);
+  addDisc(world.start.position, size, color(0.5, 0.5, 0.5, 0.6), areas);
   for (size_t i = 0; i < world.destinations.size(); ++i) {
-    addDisc(world.destinations[i], size, destinationColor(i, 0.8), areas);
+    addDisc(world.destinations[i], 1.6 * size, destinationColor(i, 0.8), areas);
   }
   return builder.take();
 }
 
 MarkerArray crowdMarkers(const CrowdScene& scene, const std_msgs::Header& header) {
   MarkerBuilder builder(header);
-  Marker& people = builder.beginList("people", Marker::SPHERE_LIST, kPersonSize, 0.3);
+  const double size = scene.symbol_size;
+  Marker& people = builder.beginList("people", Marker::SPHERE_LIST, 0.8 * size, 0.3);
   for (const Walker& walker : scene.walkers) {
-    addPoint(walker.position, color(0.55, 0.57, 0.60), people);
+    addPoint(walker.position, color(0.62, 0.64, 0.67), people);
   }
-  Marker& trail = builder.beginList("driven", Marker::LINE_LIST, 0.25, 0.03);
+  Marker& trail = builder.beginList("driven", Marker::LINE_LIST, 0.35 * size, 0.03);
   for (size_t i = 1; i < scene.trail.size(); ++i) {
-    addLine(scene.trail[i - 1], scene.trail[i], color(0.1, 0.3, 0.9), trail);
+    addLine(scene.trail[i - 1], scene.trail[i], color(0.15, 0.35, 0.95), trail);
   }
-  Marker& body = builder.beginList("robot", Marker::LINE_LIST, 0.12, 0.05);
+  Marker& body = builder.beginList("robot", Marker::LINE_LIST, 0.25 * size, 0.05);
   const Point nose = scene.robot.position + scene.robot_radius * unitVector(scene.robot.heading);
   addCircle(scene.robot.position, scene.robot_radius, color(0.1, 0.2, 0.7), body);
   addLine(scene.robot.position, nose, color(0.1, 0.2, 0.7), body);
   return builder.take();
 }
 
-MarkerArray beliefMarkers(const CrowdBelief& crowd, const std::vector<Point>& destinations,
-                          const std::vector<std::int64_t>& attended,
-                          const std_msgs::Header& header) {
+MarkerArray beliefMarkers(const BeliefScene& scene, const std_msgs::Header& header) {
   MarkerBuilder builder(header);
-  std::vector<const PersonBelief*> people;
-  for (const PersonBelief& person : crowd.people) people.push_back(&person);
-  Marker& discs =
-      builder.beginList("likeliest_destination", Marker::SPHERE_LIST, 1.3 * kPersonSize, 0.4);
-  for (const PersonBelief* person : people) {
-    const size_t best = person->intention.mostLikely();
-    addPoint(person->position, destinationColor(best, 0.25 + 0.75 * certainty(person->intention)),
-             discs);
+  const double size = scene.symbol_size;
+  const auto colorOf = [](const IntentionBelief& intention) {
+    return destinationColor(intention.mostLikely(), 0.2 + 0.8 * certainty(intention));
+  };
+  Marker& discs = builder.beginList("likeliest_destination", Marker::SPHERE_LIST, size, 0.4);
+  for (const PersonBelief& person : scene.crowd.people) {
+    addPoint(person.position, colorOf(person.intention), discs);
   }
-  Marker& lines = builder.beginList("likeliest_way", Marker::LINE_LIST, 0.1, 0.06);
-  for (const PersonBelief* person : people) {
-    const size_t best = person->intention.mostLikely();
-    const Point way = destinations[best] - person->position;
-    const double length = std::min(kHeadingLine, way.norm());
+  Marker& ways = builder.beginList("likeliest_way", Marker::LINE_LIST, 0.2 * size, 0.06);
+  for (const PersonBelief& person : scene.crowd.people) {
+    const Point way = scene.destinations[person.intention.mostLikely()] - person.position;
+    const double length = std::min(2.2 * size, way.norm());
     if (length <= 0.0) continue;
-    addLine(person->position, person->position + length * way.normalized(),
-            destinationColor(best, 0.25 + 0.75 * certainty(person->intention)), lines);
+    addLine(person.position, person.position + length * way.normalized(), colorOf(person.intention),
+            ways);
   }
-  Marker& rings = builder.beginList("attended", Marker::LINE_LIST, 0.12, 0.07);
-  for (const PersonBelief* person : people) {
-    if (std::find(attended.begin(), attended.end(), person->id) == attended.end()) continue;
-    addCircle(person->position, kPersonSize, color(0.85, 0.10, 0.10), rings);
+  Marker& rings = builder.beginList("attended", Marker::LINE_LIST, 0.2 * size, 0.07);
+  for (const PersonBelief& person : scene.crowd.people) {
+    const auto& ids = scene.attended;
+    if (std::find(ids.begin(), ids.end(), person.id) == ids.end()) continue;
+    addCircle(person.position, 0.9 * size, color(0.85, 0.10, 0.10), rings);
   }
   return builder.take();
 }
 
-MarkerArray treeMarkers(const TreeView& view, const std_msgs::Header& header) {
+MarkerArray treeMarkers(const TreeView& view, double symbol_size, const std_msgs::Header& header) {
   MarkerBuilder builder(header);
   const ValueRange range = valueRange(view);
-  Marker& tree = builder.beginList("tree", Marker::LINE_LIST, 0.06, 0.08);
+  Marker& tree = builder.beginList("tree", Marker::LINE_LIST, 0.12 * symbol_size, 0.08);
   for (const TreeEdge& edge : view.edges) {
     const double fade = std::min(edge.depth - 1, kFadeDepth) / static_cast<double>(kFadeDepth);
-    addLine(edge.from, edge.to, valueColor(range.share(edge.value), 0.9 - 0.65 * fade), tree);
+    addLine(edge.from, edge.to, valueColor(range.share(edge.value), 1.0 - 0.7 * fade), tree);
   }
-  Marker& rollouts = builder.beginList("rollouts", Marker::LINE_LIST, 0.08, 0.07);
+  Marker& rollouts = builder.beginList("rollouts", Marker::LINE_LIST, 0.15 * symbol_size, 0.07);
   for (const auto& path : view.rollouts) {
-    addDashes(path, kDash, color(0.15, 0.15, 0.15, 0.6), rollouts);
+    addDashes(path, 1.2 * symbol_size, color(0.25, 0.25, 0.30, 0.7), rollouts);
   }
   return builder.take();
 }

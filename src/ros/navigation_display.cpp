@@ -52,7 +52,7 @@ void NavigationDisplay::showDecision(const DecisionReport& report, const Planner
   }
   local_plan_.publish(toMessage(positions(report.decision.plan), header()));
   if (search_tree_.getNumSubscribers() > 0) {
-    search_tree_.publish(treeMarkers(planner.viewTree(kMaxTreeEdges), header()));
+    search_tree_.publish(treeMarkers(planner.viewTree(kMaxTreeEdges), symbol_size_, header()));
   }
 }
 
@@ -62,7 +62,7 @@ void NavigationDisplay::showBeliefs(const CrowdBelief& crowd) {
   }
   if (belief_markers_.getNumSubscribers() == 0) return;
   const std::lock_guard<std::mutex> lock(mutex_);
-  belief_markers_.publish(beliefMarkers(crowd, destinations_, attended_, header()));
+  belief_markers_.publish(beliefMarkers({crowd, destinations_, attended_, symbol_size_}, header()));
 }
 
 void NavigationDisplay::clearPlans() {
@@ -72,7 +72,7 @@ void NavigationDisplay::clearPlans() {
   }
   global_plan_.publish(toMessage(std::vector<Point>(), header()));
   local_plan_.publish(toMessage(std::vector<Point>(), header()));
-  search_tree_.publish(treeMarkers(TreeView(), header()));
+  search_tree_.publish(treeMarkers(TreeView(), symbol_size_, header()));
 }
 
 }  // namespace pomdp_crowd_nav

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "pomdp_crowd_nav/planner/planner_factory.h"
+#include "pomdp_crowd_nav/ros/markers.h"
 #include "pomdp_crowd_nav/ros/steady_time.h"
 
 namespace pomdp_crowd_nav {
@@ -147,7 +148,10 @@ void NavigationServer::onCommandTimer() {
 }
 
 void NavigationServer::onReportTimer() {
-  display_.showBeliefs(drive_.with([](Drive& drive) { return drive.inputs.crowd; }));
+  const auto [crowd, map] = drive_.with(
+      [](Drive& drive) { return std::make_pair(drive.inputs.crowd, drive.inputs.map); });
+  if (map) display_.setSymbolSize(symbolSize(map->bounds()));
+  display_.showBeliefs(crowd);
   if (++reports_ % 2 == 0) publishStatus();
   if (reports_ % kReportsPerDiagnostics == 0) status_.publishDiagnostics();
 }

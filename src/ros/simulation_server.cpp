@@ -136,7 +136,8 @@ void SimulationServer::publishCrowd() {
   publishers_.persons.publish(toMessage(simulator_->sense(), header(params_.frames.global)));
   if (publishers_.crowd_markers.getNumSubscribers() == 0) return;
   const CrowdScene scene{simulator_->crowd().walkers(), observer_->trail(),
-                         simulator_->base().pose(), params_.simulator.vehicle.radius};
+                         simulator_->base().pose(), params_.simulator.vehicle.radius,
+                         symbolSize(simulator_->world().bounds)};
   publishers_.crowd_markers.publish(crowdMarkers(scene, header(params_.frames.global)));
 }
 

@@ -3,6 +3,7 @@
 
 #include <ros/node_handle.h>
 
+#include <atomic>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -18,6 +19,7 @@ class NavigationDisplay {
   NavigationDisplay(ros::NodeHandle& private_node, const std::string& global_frame,
                     const std::vector<Point>& destinations);
 
+  void setSymbolSize(double size) { symbol_size_ = size; }  // [m], see markers.h
   void showGoal(const Goal& goal);
   void showDecision(const DecisionReport& report, const Planner& planner);
   void showBeliefs(const CrowdBelief& crowd);
@@ -28,6 +30,7 @@ class NavigationDisplay {
 
   std::string frame_;
   std::vector<Point> destinations_;
+  std::atomic<double> symbol_size_{0.5};  // [m]
   std::mutex mutex_;
   std::vector<std::int64_t> attended_;  // of the last decision
   ros::Publisher goal_, global_plan_, local_plan_, beliefs_, belief_markers_, search_tree_;

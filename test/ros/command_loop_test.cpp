@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pomdp_crowd_nav/ros/command_loop.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace pomdp_crowd_nav {
+namespace {
+
+// Time runs by hand; the base does what it is told.
+class CommandLoopTest : public testing::Test {
+ protected:
+  static PlannerNodeParams params() {
+    PlannerNodeParams params;
+    VehicleParams& vehicle = params.navigation.planning.model.vehicle;
+    vehicle.max_speed = 1.0;
+    vehicle.radius = 0.5;
+    vehicle.instant_velocity = false;
+    params.navigation.planning.model.step = 0.5;
+    params.navigation.planning.model.goal_tolerance = 0.5;
+    params.navigation.emergency.reflex_distance = 1.0;
+    return params;
+  }
+
+  explicit CommandLoopTest(const PlannerNodeParams& p = params())
+      : loop_(p),
+        drive_(MotionExecutor(p.navigation.command, p.navigation.planning.model.vehicle, 0.05)) {
+    StaticMap::Obstacles none;
+    drive_.inputs.map = std::make_shared<const StaticMap>(Bounds(), none);
+    drive_.inputs.map_at = now_;
+    drive_.inputs.robot = RobotReading();
+    drive_.inputs.first_tracks_at = now_ - 10.0;
+    drive_.goal = Goal{1, Pose{Point(20.0, 0.0), 2.0}};
+    drive_.prepared = true;
+    drive_.counts.decisions = 1;
+    refreshInputs();
+  }
+
+  void refreshInputs() {
+    drive_.inputs.robot->measured_at = now_;
+    drive_.inputs.tracks_at = now_;
+  }
+
+  // Ticks for a while; the inputs stay fresh unless they are silent.
+  CommandLoop::Tick run(double duration) {
+    CommandLoop::Tick last;
+    for (const double end = now_ + duration; now_ < end - 1e-9;) {
+      now_ += 0.05;
+      if (!is_silent_) refreshInputs();
+      last = loop_.tick(now_, drive_);
+      if (last.command) obey(*last.command);
+      if (last.finished) finished_ = last.finished;
+    }
+    return last;
+  }
+
+  void obey(const BaseCommand& command) {
+    RobotReading& robot = *drive_.inputs.robot;
+    robot.velocity = rotated(robot.pose.heading, command.velocity);
+    robot.yaw_rate = command.yaw_rate;
+    robot.pose.position += 0.05 * robot.velocity;
+    robot.pose.heading = wrapAngle(robot.pose.heading + 0.05 * command.yaw_rate);
+  }
+
+  void cruise() {
+    StepMotion motion;
+    motion.start_velocity = motion.end_velocity = Point(0.8, 0.0);
+    motion.duration = 60.0;
+    motion.instant = false;
+    drive_.executor.follow(motion, now_);
+    run(1.0);
+  }
+
+  double speed() const { return drive_.inputs.robot->velocity.norm(); }
+
+  double now_ = 100.0;  // [s]
+  bool is_silent_ = false;
+  CommandLoop loop_;
+  Drive drive_;
+  std::optional<Ending> finished_;
+};
+
+TEST_F(CommandLoopTest, FollowsTheMotion) {
+  cruise();
+  EXPECT_NEAR(speed(), 0.8, 1e-9);
+  EXPECT_EQ(stopCause(drive_, loop_.limits(), now_), StopCause::kNone);
+}
+
+TEST_F(CommandLoopTest, SilentInputsBrakeTheBase) {
+  cruise();
+  is_silent_ = true;
+  run(2.0);
+  EXPECT_EQ(speed(), 0.0);
+  EXPECT_EQ(stopCause(drive_, loop_.limits(), now_), StopCause::kNoOdometry);
+  EXPECT_EQ(toStatus(drive_, loop_.limits(), now_).state, PlannerStatus::WAITING_FOR_INPUT);
+}
+
+TEST_F(CommandLoopTest, CausesAreToldApart) {
+  drive_.inputs.robot.reset();
+  EXPECT_EQ(missingInput(drive_.inputs, loop_.limits(), now_), StopCause::kNoOdometry);
+  drive_.inputs.bad_odometry_at = now_;
+  EXPECT_EQ(missingInput(drive_.inputs, loop_.limits(), now_), StopCause::kOdometryNotFinite);
+  drive_.inputs.robot = RobotReading();
+  refreshInputs();
+  drive_.inputs.tracks_at = now_ - 5.0;
+  EXPECT_EQ(missingInput(drive_.inputs, loop_.limits(), now_), StopCause::kNoPeople);
+  drive_.inputs.clock_jump_at = now_;
+  EXPECT_EQ(missingInput(drive_.inputs, loop_.limits(), now_), StopCause::kClockJumped);
+  drive_.inputs.map.reset();
+  EXPECT_EQ(missingInput(drive_.inputs, loop_.limits(), now_), StopCause::kNoMap);
+}
+
+TEST_F(CommandLoopTest, PausedBaseBrakes) {
+  cruise();
+  drive_.paused = true;
+  run(2.0);
+  EXPECT_EQ(speed(), 0.0);
+  EXPECT_EQ(toStatus(drive_, loop_.limits(), now_).state, PlannerStatus::PAUSED);
+}
+
+TEST_F(CommandLoopTest, PersonInTheWayIsASuddenBrakeOnce) {
+  cruise();
+  const Point ahead = drive_.inputs.robot->pose.position + Point(1.2, 0.0);
+  drive_.inputs.tracks.tracks.push_back({5, ahead, Point(0.0, 0.0)});
+  run(2.0);
+  EXPECT_EQ(speed(), 0.0);
+  EXPECT_EQ(drive_.counts.sudden_brakes, 1u);
+  EXPECT_EQ(stopCause(drive_, loop_.limits(), now_), StopCause::kEmergency);
+}
+
+TEST_F(CommandLoopTest, ReachedGoalIsReportedAtRestAndThenNobodyCommandsTheBase) {
+  cruise();
+  drive_.inputs.robot->pose.position = Point(19.9, 0.0);
+  run(0.1);
+  EXPECT_FALSE(drive_.hasGoal());
+  EXPECT_FALSE(finished_) << "the base still moves";
+  const CommandLoop::Tick last = run(4.0);
+  ASSERT_TRUE(finished_);
+  EXPECT_EQ(finished_->outcome, Outcome::kReached);
+  EXPECT_EQ(speed(), 0.0);
+  EXPECT_FALSE(last.command);
+}
+
+TEST_F(CommandLoopTest, CancelWithoutOdometryIsReportedButZerosGoOn) {
+  cruise();
+  is_silent_ = true;
+  endTrip(Outcome::kCancelled, "cancelled", now_, drive_);
+  drive_.inputs.robot->velocity = Point(0.5, 0.0);
+  CommandLoop::Tick last;
+  for (int i = 0; i < 160; ++i) {
+    now_ += 0.05;
+    last = loop_.tick(now_, drive_);
+    if (last.finished) finished_ = last.finished;
+  }
+  EXPECT_TRUE(finished_);
+  ASSERT_TRUE(last.command);
+  EXPECT_EQ(last.command->velocity.norm(), 0.0);
+}
+
+class TurnAtTheGoal : public CommandLoopTest {
+ protected:
+  static PlannerNodeParams turningParams() {
+    PlannerNodeParams turning = params();
+    turning.navigation.yaw_goal_tolerance = 0.1;
+    return turning;
+  }
+  TurnAtTheGoal() : CommandLoopTest(turningParams()) {}
+};
+
+TEST_F(TurnAtTheGoal, TurnsInPlaceToTheHeadingOfTheGoal) {
+  drive_.inputs.robot->pose.position = Point(19.9, 0.0);
+  run(8.0);
+  ASSERT_TRUE(finished_);
+  EXPECT_NEAR(drive_.inputs.robot->pose.heading, 2.0, 0.15);
+  EXPECT_NEAR(drive_.inputs.robot->pose.position.x(), 19.9, 1e-6);
+}
+
+TEST(StateNames, EveryCauseHasOne) {
+  for (int cause = 1; cause <= static_cast<int>(StopCause::kPaused); ++cause) {
+    EXPECT_STRNE(describe(static_cast<StopCause>(cause)), "");
+  }
+}
+
+}  // namespace
+}  // namespace pomdp_crowd_nav

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pomdp_crowd_nav/ros/conversions.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace pomdp_crowd_nav {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+TEST(Messages, TrackedPersonsConnectToSpencerPublishers) {
+  EXPECT_STREQ(ros::message_traits::md5sum<TrackedPersons>(), "21c0b1a57c4933e68f39aa3802861828");
+}
+
+TEST(Messages, PauseServiceIsThatOfStdSrvs) {
+  EXPECT_STREQ(ros::service_traits::md5sum<PauseService>(), "09fb03525b03e7ea1fd3992bafd87e16");
+}
+
+TEST(Messages, NamesOnTheWireAreUnchanged) {
+  EXPECT_STREQ(ros::message_traits::datatype<CrowdBeliefMessage>(), "pomdp_crowd_nav/CrowdBelief");
+  EXPECT_STREQ(ros::message_traits::datatype<EpisodeMetricsMessage>(),
+               "pomdp_crowd_nav/EpisodeMetrics");
+}
+
+TEST(Transforms, InverseUndoes) {
+  const Pose frame{Point(3.0, -2.0), 2.5};
+  const Pose pose{Point(1.0, 4.0), -1.0};
+  const Pose back = transformed(inverse(frame), transformed(frame, pose));
+  EXPECT_NEAR((back.position - pose.position).norm(), 0.0, 1e-12);
+  EXPECT_NEAR(back.heading, pose.heading, 1e-12);
+}
+
+TEST(Poses, SurviveTheWayThereAndBack) {
+  for (const double heading : {-3.0, -1.0, 0.0, 0.5, 3.1}) {
+    const auto pose = toPose(toMessage(Pose{Point(1.0, 2.0), heading}));
+    ASSERT_TRUE(pose);
+    EXPECT_NEAR(pose->heading, heading, 1e-12);
+  }
+}
+
+TEST(Poses, WithoutRotationOrNotFiniteAreNone) {
+  geometry_msgs::Pose pose;  // its quaternion is zero
+  EXPECT_FALSE(toPose(pose));
+  pose.orientation.w = 1.0;
+  EXPECT_TRUE(toPose(pose));
+  pose.position.x = kNaN;
+  EXPECT_FALSE(toPose(pose));
+  pose.position.x = 0.0;
+  pose.orientation.z = kInfinity;
+  EXPECT_FALSE(toPose(pose));
+}
+
+TEST(Odometry, TurnsTheTwistIntoTheGlobalFrame) {
+  nav_msgs::Odometry odometry;
+  odometry.pose.pose = toMessage(Pose{Point(1.0, 0.0), M_PI_2});
+  odometry.twist.twist.linear.x = 0.5;
+  const auto reading = toReading(odometry, Pose{Point(10.0, 10.0), M_PI_2});
+  ASSERT_TRUE(reading);
+  EXPECT_NEAR((reading->pose.position - Point(10.0, 11.0)).norm(), 0.0, 1e-12);
+  EXPECT_NEAR((reading->velocity - Point(-0.5, 0.0)).norm(), 0.0, 1e-12);
+}
+
+TEST(Odometry, WithANumberThatIsNotFiniteIsNone) {
+  nav_msgs::Odometry odometry;
+  odometry.pose.pose.orientation.w = 1.0;
+  EXPECT_TRUE(toReading(odometry, Pose{}));
+  odometry.twist.twist.linear.y = kNaN;
+  EXPECT_FALSE(toReading(odometry, Pose{}));
+  odometry.twist.twist.linear.y = 0.0;
+  odometry.twist.twist.angular.z = kInfinity;
+  EXPECT_FALSE(toReading(odometry, Pose{}));
+}
+
+TEST(Tracks, KeepIdsAndLeaveOutPeopleWithoutAPosition) {
+  TrackedPersons persons;
+  persons.header.stamp = ros::Time(12.5);
+  persons.tracks.resize(3);
+  persons.tracks[0].track_id = 7;
+  persons.tracks[0].pose.pose.position.x = 1.0;
+  persons.tracks[0].twist.twist.linear.x = 1.0;
+  persons.tracks[1].pose.pose.position.y = kNaN;
+  persons.tracks[2].track_id = 9;
+  persons.tracks[2].twist.twist.linear.x = kNaN;
+  const TrackList list = toTracks(persons, Pose{Point(5.0, 0.0), M_PI});
+  EXPECT_DOUBLE_EQ(list.stamp, 12.5);
+  ASSERT_EQ(list.tracks.size(), 2u);
+  EXPECT_EQ(list.tracks[0].id, 7);
+  EXPECT_NEAR((list.tracks[0].position - Point(4.0, 0.0)).norm(), 0.0, 1e-12);
+  EXPECT_NEAR((list.tracks[0].velocity - Point(-1.0, 0.0)).norm(), 0.0, 1e-12);
+  EXPECT_EQ(list.tracks[1].velocity, Point(0.0, 0.0));
+}
+
+nav_msgs::OccupancyGrid smallGrid() {
+  nav_msgs::OccupancyGrid grid;
+  grid.info.resolution = 0.5F;
+  grid.info.width = 4;
+  grid.info.height = 2;
+  grid.info.origin = toMessage(Pose{Point(-1.0, 0.0), 0.0});
+  grid.data = {0, 0, 0, 100, 0, 0, 0, -1};
+  return grid;
+}
+
+TEST(Maps, OccupiedAndUnknownCellsAreBlocked) {
+  const auto map = toStaticMap(smallGrid());
+  EXPECT_EQ(map->bounds().max, Point(1.0, 1.0));
+  EXPECT_LE(map->clearance(Point(0.75, 0.25)), 0.0);
+  EXPECT_LE(map->clearance(Point(0.75, 0.75)), 0.0);
+  EXPECT_GT(map->clearance(Point(-0.75, 0.25)), 0.5);
+}
+
+TEST(Maps, OfAnotherSizeOrTurnedAreRefused) {
+  nav_msgs::OccupancyGrid grid = smallGrid();
+  grid.data.pop_back();
+  EXPECT_THROW(toStaticMap(grid), std::invalid_argument);
+  grid = smallGrid();
+  grid.info.origin = toMessage(Pose{Point(0.0, 0.0), 0.5});
+  EXPECT_THROW(toStaticMap(grid), std::invalid_argument);
+  EXPECT_THROW(toStaticMap(nav_msgs::OccupancyGrid()), std::invalid_argument);
+}
+
+TEST(Maps, GridOfAMapShowsItsObstacles) {
+  StaticMap::Obstacles obstacles;
+  obstacles.circles.push_back({Point(5.0, 5.0), 2.0});
+  const StaticMap map(Bounds{Point(0.0, 0.0), Point(10.0, 10.0)}, obstacles);
+  const nav_msgs::OccupancyGrid grid = toMessage(map, 0.5, std_msgs::Header());
+  ASSERT_EQ(grid.data.size(), 400u);
+  EXPECT_EQ(grid.data[10 * 20 + 10], 100);
+  EXPECT_EQ(grid.data[0], 0);
+}
+
+TEST(Paths, PointAlongTheWay) {
+  const nav_msgs::Path path =
+      toMessage({Point(0.0, 0.0), Point(0.0, 1.0), Point(1.0, 1.0)}, std_msgs::Header());
+  ASSERT_EQ(path.poses.size(), 3u);
+  EXPECT_NEAR(toPose(path.poses[0].pose)->heading, M_PI_2, 1e-12);
+  EXPECT_NEAR(toPose(path.poses[2].pose)->heading, 0.0, 1e-12);
+  EXPECT_TRUE(toMessage(std::vector<Point>(), std_msgs::Header()).poses.empty());
+}
+
+}  // namespace
+}  // namespace pomdp_crowd_nav

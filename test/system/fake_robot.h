@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <rosgraph_msgs/Clock.h>
+#include <tf2_ros/transform_broadcaster.h>
+
+#include <atomic>
+#include <chrono>
+#include <limits>
+#include <thread>
+
+#include "navigation_client.h"
+
+namespace pomdp_crowd_nav {
+
+// A base without limits, its localisation, a people tracker that sees nobody and the clock. Each of
+// them can be made to fail.
+class FakeRobot {
+ public:
+  std::atomic<bool> is_odometry_silent{false};
+  std::atomic<bool> is_odometry_nan{false};
+  std::atomic<bool> are_people_silent{false};
+  std::atomic<bool> is_transform_silent{false};
+  std::atomic<double> clock_offset{1000.0};  // [s]
+
+  FakeRobot() {
+    clock_ = node_.advertise<rosgraph_msgs::Clock>("/clock", 1);
+    odometry_ = node_.advertise<nav_msgs::Odometry>("odom", 1);
+    people_ = node_.advertise<TrackedPersons>("tracked_persons", 1);
+    commands_ = node_.subscribe("cmd_vel", 1, &FakeRobot::onCommand, this);
+    thread_ = std::thread([this] { run(); });
+  }
+
+  ~FakeRobot() {
+    stop_ = true;
+    thread_.join();
+  }
+
+ private:
+  static constexpr double kPeriod = 0.02;  // [s]
+
+  void onCommand(const geometry_msgs::Twist& twist) {
+    x_velocity_ = twist.linear.x;
+    y_velocity_ = twist.linear.y;
+    yaw_rate_ = twist.angular.z;
+  }
+
+  void run() {
+    for (int i = 0; !stop_; ++i) {
+      time_ += kPeriod;
+      stamp_ = ros::Time(clock_offset + time_);
+      rosgraph_msgs::Clock clock;
+      clock.clock = stamp_;
+      clock_.publish(clock);
+      move();
+      if (!is_transform_silent) publishTransform();
+      if (!is_odometry_silent) publishOdometry();
+      if (!are_people_silent && i % 5 == 0) publishPeople();
+      std::this_thread::sleep_for(std::chrono::duration<double>(kPeriod));
+    }
+  }
+
+  void move() {
+    const BaseCommand command{Point(x_velocity_, y_velocity_), yaw_rate_};
+    pose_.position += kPeriod * rotated(pose_.heading, command.velocity);
+    pose_.heading = wrapAngle(pose_.heading + kPeriod * command.yaw_rate);
+  }
+
+  void publishTransform() {
+    geometry_msgs::TransformStamped transform;
+    transform.header.frame_id = "map";
+    transform.header.stamp = stamp_;
+    transform.child_frame_id = "odom";
+    transform.transform = toTransform(Pose{Point(10.0, 10.0), 0.5});
+    transforms_.sendTransform(transform);
+  }
+
+  void publishOdometry() {
+    nav_msgs::Odometry odometry;
+    odometry.header.frame_id = "odom";
+    odometry.header.stamp = stamp_;
+    odometry.child_frame_id = "base_link";
+    odometry.pose.pose = toMessage(pose_);
+    odometry.twist.twist.linear.x = x_velocity_;
+    odometry.twist.twist.linear.y = y_velocity_;
+    odometry.twist.twist.angular.z = yaw_rate_;
+    if (is_odometry_nan) {
+      odometry.pose.pose.position.x = std::numeric_limits<double>::quiet_NaN();
+    }
+    odometry_.publish(odometry);
+  }
+
+  void publishPeople() {
+    TrackedPersons people;
+    people.header.frame_id = "map";
+    people.header.stamp = stamp_;
+    people_.publish(people);
+  }
+
+  ros::NodeHandle node_;
+  ros::Publisher clock_, odometry_, people_;
+  ros::Subscriber commands_;
+  tf2_ros::TransformBroadcaster transforms_;
+  std::atomic<double> x_velocity_{0.0}, y_velocity_{0.0}, yaw_rate_{0.0};
+  double time_ = 0.0;
+  ros::Time stamp_;
+  Pose pose_;  // in odom
+  std::atomic<bool> stop_{false};
+  std::thread thread_;
+};
+
+}  // namespace pomdp_crowd_nav

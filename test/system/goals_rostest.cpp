@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+#include <nav_msgs/GetPlan.h>
+
+#include <limits>
+
+#include "navigation_client.h"
+
+namespace pomdp_crowd_nav {
+namespace {
+
+class GoalsTest : public testing::Test {
+ protected:
+  void SetUp() override { ASSERT_TRUE(client_.connect()); }
+
+  void expectRefused(const std::string& reason) {
+    ASSERT_TRUE(client_.waitForEnd(5.0));
+    EXPECT_EQ(client_.state(), NavigationClient::State::REJECTED);
+    EXPECT_NE(client_.text().find(reason), std::string::npos) << client_.text();
+  }
+
+  NavigationClient client_;
+};
+
+TEST_F(GoalsTest, GoalOffTheMapIsRefused) {
+  client_.send(150.0, 50.0);
+  expectRefused("off the map");
+}
+
+TEST_F(GoalsTest, GoalInsideAnObstacleIsRefused) {
+  client_.send(50.0, 70.0);
+  expectRefused("inside an obstacle");
+}
+
+TEST_F(GoalsTest, GoalThatIsNotFiniteIsRefused) {
+  client_.send(std::numeric_limits<double>::quiet_NaN(), 70.0);
+  expectRefused("not finite");
+}
+
+TEST_F(GoalsTest, GoalInAnUnknownFrameIsRefused) {
+  client_.send(10.0, 30.0, "atlantis");
+  expectRefused("atlantis");
+}
+
+TEST_F(GoalsTest, GoalTooCloseToAnObstacleEndsWithItsReason) {
+  client_.send(50.0, 64.5);
+  ASSERT_TRUE(client_.waitForEnd(10.0));
+  EXPECT_NE(client_.state(), NavigationClient::State::SUCCEEDED);
+  EXPECT_NE(client_.text().find("obstacle"), std::string::npos) << client_.text();
+}
+
+TEST_F(GoalsTest, CancelBringsTheBaseToRest) {
+  client_.send(20.0, 40.0);
+  ASSERT_TRUE(client_.waitForMotion(20.0)) << client_.status().stop_cause;
+  client_.cancel();
+  ASSERT_TRUE(client_.waitForEnd(5.0));
+  EXPECT_EQ(client_.state(), NavigationClient::State::PREEMPTED);
+  EXPECT_EQ(client_.text(), "cancelled");
+  EXPECT_EQ(client_.commandedSpeed(), 0.0);
+  EXPECT_TRUE(
+      client_.waitUntil(3.0, [this] { return client_.status().state == PlannerStatus::IDLE; }));
+  const int commands = client_.commandCount();
+  client_.waitUntil(1.0, [] { return false; });
+  EXPECT_LE(client_.commandCount(), commands + 2) << "an idle planner must not command the base";
+}
+
+TEST_F(GoalsTest, NewerGoalPreemptsAndRefusedOneDoesNot) {
+  client_.send(20.0, 40.0);
+  ASSERT_TRUE(client_.waitForMotion(20.0)) << client_.status().stop_cause;
+  {
+    NavigationClient other;
+    ASSERT_TRUE(other.connect());
+    other.send(-20.0, 0.0);
+    ASSERT_TRUE(other.waitForEnd(5.0));
+    EXPECT_FALSE(client_.state().isDone());
+    other.send(15.0, 20.0);
+    EXPECT_TRUE(client_.waitForEnd(5.0));
+    EXPECT_EQ(client_.state(), NavigationClient::State::PREEMPTED);
+    EXPECT_NE(client_.text().find("newer goal"), std::string::npos) << client_.text();
+    other.cancel();
+    EXPECT_TRUE(other.waitForEnd(5.0));
+  }
+}
+
+TEST_F(GoalsTest, PauseStopsAndResumeGoesOn) {
+  client_.send(25.0, 45.0);
+  ASSERT_TRUE(client_.waitForMotion(20.0)) << client_.status().stop_cause;
+  ros::ServiceClient pause = ros::NodeHandle().serviceClient<PauseService>("planner_node/pause");
+  PauseService call;
+  call.request.data = true;
+  ASSERT_TRUE(pause.call(call));
+  EXPECT_TRUE(client_.waitForStop(3.0, "paused"));
+  call.request.data = false;
+  ASSERT_TRUE(pause.call(call));
+  EXPECT_TRUE(client_.waitForMotion(10.0));
+  client_.cancel();
+  EXPECT_TRUE(client_.waitForEnd(5.0));
+}
+
+TEST_F(GoalsTest, MakePlanGoesRoundObstacles) {
+  ros::ServiceClient service =
+      ros::NodeHandle().serviceClient<nav_msgs::GetPlan>("planner_node/make_plan");
+  nav_msgs::GetPlan call;
+  call.request.start.header.frame_id = call.request.goal.header.frame_id = "map";
+  call.request.start.pose = toMessage(Pose{Point(40.0, 50.0), 0.0});
+  call.request.goal.pose = toMessage(Pose{Point(60.0, 50.0), 0.0});
+  ASSERT_TRUE(service.call(call));
+  ASSERT_GT(call.response.plan.poses.size(), 2u);
+  EXPECT_EQ(call.response.plan.header.frame_id, "map");
+  for (const auto& pose : call.response.plan.poses) {
+    EXPECT_GT(std::hypot(pose.pose.position.x - 50.0, pose.pose.position.y - 50.0), 7.0);
+  }
+}
+
+TEST_F(GoalsTest, SimulatorCanBeReset) {
+  ros::ServiceClient reset = ros::NodeHandle().serviceClient<ResetSimulation>("sim_node/reset");
+  ResetSimulation call;
+  call.request.world = "no_such_world";
+  ASSERT_TRUE(reset.call(call));
+  EXPECT_FALSE(call.response.success);
+  EXPECT_NE(call.response.message.find("no_such_world"), std::string::npos);
+  call.request.world = "scenario_2";
+  call.request.pedestrians = 3;
+  call.request.seed = 7;
+  ASSERT_TRUE(reset.call(call));
+  EXPECT_TRUE(call.response.success) << call.response.message;
+}
+
+}  // namespace
+}  // namespace pomdp_crowd_nav
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "goals_rostest");
+  return RUN_ALL_TESTS();
+}
