@@ -21,12 +21,16 @@ MotionExecutor makeExecutor(const NavigationParams& params) {
                         1.0 / params.controller_frequency);
 }
 
-// Why nobody can drive to a place; empty when it is free.
-std::string whyUnreachable(const Point& goal, const StaticMap& map) {
+// Why the robot cannot drive to a place; empty when it can.
+std::string whyUnreachable(const Point& goal, const StaticMap& map, const ModelParams& model) {
   const std::string place = fmt::format("goal ({:.2f}, {:.2f})", goal.x(), goal.y());
   if (!map.bounds().contains(goal)) return place + " is off the map";
-  if (map.clearance(goal) <= 0.0) return place + " is inside an obstacle";
-  return "";
+  const double clearance = map.clearance(goal);
+  if (clearance <= 0.0) return place + " is inside an obstacle";
+  // Within the tolerance there may be a place that is far enough from the obstacle.
+  if (clearance + model.goal_tolerance >= model.obstacleClearance()) return "";
+  return fmt::format("{} is too close to an obstacle: {:.2f} m, the robot keeps {:.2f} m", place,
+                     clearance, model.obstacleClearance());
 }
 
 }  // namespace
@@ -86,7 +90,7 @@ std::optional<Pose> NavigationServer::checkGoal(const geometry_msgs::PoseStamped
   }
   const Pose pose = transformed(*frame, *local);
   const auto map = drive_.with([](Drive& drive) { return drive.inputs.map; });
-  if (map) reason = whyUnreachable(pose.position, *map);
+  if (map) reason = whyUnreachable(pose.position, *map, params_.navigation.planning.model);
   return reason.empty() ? std::optional<Pose>(pose) : std::nullopt;
 }
 

@@ -6,6 +6,7 @@
 #include <move_base_msgs/MoveBaseAction.h>
 #include <ros/ros.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -76,11 +77,13 @@ class NavigationClient {
   bool areCommandsFinite() const { return are_commands_finite_; }
   int feedbackCount() const { return feedback_count_; }
   int commandCount() const { return command_count_; }
+  unsigned mostTrials() const { return most_trials_; }
   const PlannerStatus& status() const { return status_; }
 
  private:
   void onStatus(const PlannerStatus& status) {
     status_ = status;
+    most_trials_ = std::max(most_trials_, status.trials);
     ++status_count_;
   }
 
@@ -96,6 +99,7 @@ class NavigationClient {
   ros::Subscriber status_subscriber_, command_subscriber_;
   PlannerStatus status_;
   geometry_msgs::Twist command_;
+  std::uint32_t most_trials_ = 0;
   int status_count_ = 0;
   int command_count_ = 0;
   int feedback_count_ = 0;

@@ -38,7 +38,7 @@ TEST_F(TripTest, PlannerAndSimulatorDriveToTheGoal) {
   EXPECT_EQ(client_.commandedSpeed(), 0.0);
   EXPECT_GT(client_.feedbackCount(), 2);
   EXPECT_GT(client_.status().decisions, 2u);
-  EXPECT_GT(client_.status().trials, 0u);
+  EXPECT_GT(client_.mostTrials(), 0u);
 
   ASSERT_TRUE(metrics_);
   EXPECT_TRUE(client_.waitUntil(2.0, [this] { return metrics_->goal_reached; }));
