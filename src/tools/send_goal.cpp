@@ -60,7 +60,7 @@ class GoalSender {
   bool drive(const Options& options, const Point& goal) {
     const ros::WallTime give_up = ros::WallTime::now() + ros::WallDuration(options.timeout);
     while (!client_.isServerConnected()) {
-      if (!pauseUntil(give_up)) return fail("no planner answers");
+      if (!pauseUntil(give_up)) return fail(ros::ok() ? "no planner answers" : "interrupted");
     }
     client_.sendGoal(toActionGoal(goal, options.frame));
     while (!client_.getState().isDone()) {
