@@ -8,7 +8,7 @@
 namespace pomdp_crowd_nav {
 namespace {
 
-constexpr double kRestSpeed = 1e-3;   // [m/s], commands slower than this are zero
+constexpr double kRestSpeed = 1e-3;     // [m/s], commands slower than this are zero
 constexpr double kLongestPeriod = 0.2;  // [s], of commands; a longer silence allows no more change
 
 // `value` changed toward `target` by at most `change`.

@@ -65,8 +65,7 @@ void EmergencyOverride::apply(const Action& action, const VehicleState& vehicle,
   const double speed =
       action.sudden_brake
           ? speedAfterBrake(vehicle_, vehicle.speed, step_)
-          : speedAfter(vehicle_, vehicle.speed,
-                       action.speed_steps * vehicle_.acceleration * step_);
+          : speedAfter(vehicle_, vehicle.speed, action.speed_steps * vehicle_.acceleration * step_);
   decision.action = action;
   decision.motion = stepMotion(vehicle_, vehicle, vehicle.heading, speed, step_);
   decision.plan = {vehicle, decision.motion.end()};

@@ -24,8 +24,8 @@ class Trip {
         travel_heading_(world.start.heading) {
     PlannerParams planning = params.navigation.planning;
     planning.seed = params.seed;
-    planner_ = makePlanner(params.navigation.planner, {map_, world.goal, world.destinations},
-                           planning);
+    planner_ =
+        makePlanner(params.navigation.planner, {map_, world.goal, world.destinations}, planning);
   }
 
   EpisodeResult run(const std::function<void(const EpisodeMoment&)>& observer) {
@@ -73,8 +73,7 @@ class Trip {
   VehicleState vehicle() const {
     const Point& velocity = simulator_.base().velocity();
     const double speed = velocity.norm();
-    const double heading =
-        speed > 1e-3 ? std::atan2(velocity.y(), velocity.x()) : travel_heading_;
+    const double heading = speed > 1e-3 ? std::atan2(velocity.y(), velocity.x()) : travel_heading_;
     return {simulator_.base().pose().position, heading, speed > 1e-3 ? speed : 0.0};
   }
 
@@ -84,10 +83,10 @@ class Trip {
     if (params_.max_trials > 0) {
       limit = SearchLimit::trials(params_.max_trials);
     } else {
-      limit = SearchLimit::until(SearchLimit::Clock::now() +
-                                 std::chrono::duration_cast<SearchLimit::Clock::duration>(
-                                     std::chrono::duration<double>(
-                                         params_.navigation.search_time)));
+      limit =
+          SearchLimit::until(SearchLimit::Clock::now() +
+                             std::chrono::duration_cast<SearchLimit::Clock::duration>(
+                                 std::chrono::duration<double>(params_.navigation.search_time)));
     }
     Decision decision = planner_->decide(situation, limit);
     if (const auto action = override_.replace(situation.vehicle, tracks_)) {

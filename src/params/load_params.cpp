@@ -61,6 +61,8 @@ void readModel(ParamReader& reader, ModelParams& model) {
   reader.read("model/obstacle_distance", model.obstacle_distance);
   reader.read("model/near_distance", model.near_distance);
   reader.read("model/far_distance", model.far_distance);
+  reader.read("model/bold_rollouts", model.bold_rollouts);
+  reader.read("model/bold_distance", model.bold_distance);
   reader.read("model/pedestrian_noise", model.pedestrian_noise);
   readChoice(reader, "model/beyond_horizon", model.beyond_horizon, "nothing",
              BeyondHorizon::kNothing, "free_drive", BeyondHorizon::kFreeDrive);
@@ -72,6 +74,7 @@ void readPlanning(ParamReader& reader, PlannerParams& planning) {
   readModel(reader, planning.model);
   reader.read("attended_pedestrians", planning.pedestrians);
   reader.read("attention_angle", planning.attention_angle);
+  reader.read("attention_lookahead", planning.attention_lookahead);
   reader.read("search/scenarios", planning.search.scenarios);
   reader.read("search/regularization", planning.search.regularization);
   reader.read("search/target_gap", planning.search.target_gap);

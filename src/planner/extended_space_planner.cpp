@@ -15,7 +15,7 @@ SearchParams searchParams(const PlannerParams& params) {
   return search;
 }
 
-constexpr double kPathStep = 0.25;      // [m] between points of a path along the prior
+constexpr double kPathStep = 0.25;  // [m] between points of a path along the prior
 constexpr size_t kMaxPathPoints = 8000;
 
 }  // namespace
@@ -37,7 +37,7 @@ Decision ExtendedSpacePlanner::decide(const Situation& situation, const SearchLi
   const std::vector<PersonBelief> people =
       nearbyPedestrians(situation.crowd, situation.vehicle,
                         {params_.pedestrians, params_.attention_angle,
-                         params_.model.pedestrian_distance});
+                         params_.model.pedestrian_distance, params_.attention_lookahead});
   const NoiseStreams noise(params_.seed + 0x9E3779B9ULL * decisions_++);
   futures_.draw({params_.search.scenarios, params_.model.depth(), params_.model.step, bounds_},
                 people, destinations_, pedestrian_model_, noise);
@@ -51,13 +51,11 @@ Decision ExtendedSpacePlanner::decide(const Situation& situation, const SearchLi
   decision.plan = planFrom(root, result.plan);
   for (const PersonBelief& person : people) decision.attended.push_back(person.id);
   decision.search = result.statistics;
-  decision.wall_time =
-      std::chrono::duration<double>(SearchLimit::Clock::now() - start).count();
+  decision.wall_time = std::chrono::duration<double>(SearchLimit::Clock::now() - start).count();
   return decision;
 }
 
-StepMotion ExtendedSpacePlanner::motionOf(const Action& action,
-                                          const VehicleState& vehicle) const {
+StepMotion ExtendedSpacePlanner::motionOf(const Action& action, const VehicleState& vehicle) const {
   const ModelParams& model = params_.model;
   const RobotState state = RobotState::from(vehicle);
   const double speed = model_.speedAfter(state, action);
@@ -111,9 +109,8 @@ TreeView ExtendedSpacePlanner::viewTree(int max_edges) const {
     view.edges.push_back(edge);
   }
   // A parent weighs at least as much as its child and comes first, so the cut leaves one tree.
-  std::stable_sort(view.edges.begin(), view.edges.end(), [](const TreeEdge& a, const TreeEdge& b) {
-    return a.weight > b.weight;
-  });
+  std::stable_sort(view.edges.begin(), view.edges.end(),
+                   [](const TreeEdge& a, const TreeEdge& b) { return a.weight > b.weight; });
   if (static_cast<int>(view.edges.size()) > max_edges) view.edges.resize(std::max(0, max_edges));
   for (const TreeEdge& edge : view.edges) {
     if (edge.depth == 1) view.rollouts.push_back(globalPath(edge.to));

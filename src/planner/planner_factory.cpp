@@ -56,7 +56,8 @@ std::unique_ptr<Planner> makePlanner(const std::string& name, const Task& task,
     if (name == entry.name) return entry.make(task, params);
   }
   std::string known;
-  for (const Entry& entry : kPlanners) known += (known.empty() ? "" : ", ") + std::string(entry.name);
+  for (const Entry& entry : kPlanners)
+    known += (known.empty() ? "" : ", ") + std::string(entry.name);
   throw std::invalid_argument(fmt::format("planner must be one of {}, got '{}'", known, name));
 }
 

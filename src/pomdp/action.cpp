@@ -10,20 +10,26 @@ namespace {
 
 double radians(double degrees) { return degrees * M_PI / 180.0; }
 
+// The search takes the first of equally good actions: the direct way, then the smaller turn.
 std::vector<Action> actionsAtRest() {
-  return {Action::turnBy(radians(-45), 1), Action::turnBy(radians(-30), 1),
-          Action::turnBy(radians(-15), 1), Action::turnBy(0.0, 1),
-          Action::turnBy(0.0, 0),          Action::turnBy(radians(15), 1),
-          Action::turnBy(radians(30), 1),  Action::turnBy(radians(45), 1),
-          Action::followPrior(1)};
+  return {Action::followPrior(1),         Action::turnBy(0.0, 1),
+          Action::turnBy(radians(15), 1), Action::turnBy(radians(-15), 1),
+          Action::turnBy(radians(30), 1), Action::turnBy(radians(-30), 1),
+          Action::turnBy(radians(45), 1), Action::turnBy(radians(-45), 1),
+          Action::turnBy(0.0, 0)};
 }
 
 std::vector<Action> actionsMoving() {
-  return {Action::turnBy(radians(-45), 0), Action::turnBy(radians(-30), 0),
-          Action::turnBy(radians(-15), 0), Action::turnBy(0.0, -1),
-          Action::turnBy(0.0, 0),          Action::turnBy(0.0, 1),
-          Action::turnBy(radians(15), 0),  Action::turnBy(radians(30), 0),
-          Action::turnBy(radians(45), 0),  Action::followPrior(0),
+  return {Action::followPrior(0),
+          Action::turnBy(0.0, 1),
+          Action::turnBy(0.0, 0),
+          Action::turnBy(radians(15), 0),
+          Action::turnBy(radians(-15), 0),
+          Action::turnBy(radians(30), 0),
+          Action::turnBy(radians(-30), 0),
+          Action::turnBy(radians(45), 0),
+          Action::turnBy(radians(-45), 0),
+          Action::turnBy(0.0, -1),
           Action::suddenBrake()};
 }
 

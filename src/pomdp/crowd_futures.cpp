@@ -36,8 +36,7 @@ void CrowdFutures::draw(const Shape& shape, const std::vector<PersonBelief>& peo
 
   for (int k = 0; k < scenario_count_; ++k) {
     for (int i = 0; i < person_count_; ++i) {
-      const size_t destination =
-          people[i].intention.sample(noise.uniform(k, kDestinationDepth, i));
+      const size_t destination = people[i].intention.sample(noise.uniform(k, kDestinationDepth, i));
       Pedestrian walker{people[i].position, destinations[destination], people[i].speed};
       for (int d = 0; d <= depth_; ++d) {
         const size_t moment = static_cast<size_t>(k) * (depth_ + 1) + d;

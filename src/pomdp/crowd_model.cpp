@@ -94,15 +94,20 @@ void CrowdModel::expand(const RobotState* states, const int* scenarios, int coun
     kernel_.evaluate(evaluation, lanes, start_sq, scenario, depth, outcome, out.model_steps);
     const std::uint64_t observation = futures_.observation(scenario, depth + 1);
     for (int a = 0; a < action_count; ++a) {
-      float lower = outcome.value[a];
-      if (outcome.reached_horizon[a] != 0 &&
-          params_.beyond_horizon == BeyondHorizon::kFreeDrive) {
-        lower += outcome.discount *
-                 beyondHorizon({outcome.horizon.x[a], outcome.horizon.y[a], 1.0F, 0.0F,
-                                outcome.horizon.speed[a]});
+      Branch& branch = out.branches[static_cast<size_t>(a) * count + i];
+      branch.reward = outcome.reward[a];
+      branch.terminal = outcome.terminal[a] != 0;
+      branch.observation = observation;
+      branch.upper = uppers[a];
+      for (int p = 0; p < (constants_.has_bold ? 2 : 1); ++p) {
+        const ScenarioOutcome::Rollouts& rollouts = outcome.rollouts[p];
+        branch.lower[p] = rollouts.value[a];
+        if (rollouts.reached_horizon[a] != 0) {
+          branch.lower[p] +=
+              rollouts.discount * beyondHorizon({rollouts.horizon.x[a], rollouts.horizon.y[a], 1.0F,
+                                                 0.0F, rollouts.horizon.speed[a]});
+        }
       }
-      out.branches[static_cast<size_t>(a) * count + i] = {
-          outcome.reward[a], outcome.terminal[a] != 0, observation, lower, uppers[a]};
     }
   }
   out.model_steps += static_cast<long>(action_count) * count;
@@ -112,23 +117,31 @@ void CrowdModel::rootBounds(const RobotState* states, const int* scenarios, int 
                             double& lower, double& upper) const {
   const RobotState& state = states[0];
   const FieldLanes<float> here = lookUp(field_, state.x, state.y);
-  lower = 0.0;
+  double values[kDefaultPolicies] = {0.0, 0.0};
+  const int policies = constants_.has_bold ? 2 : 1;
   for (int i = 0; i < count; ++i) {
-    RolloutStart<float> start{
-        {state.x, state.y, state.direction_x, state.direction_y, state.speed},
-        here,
-        nearestSq(futures_.at(scenarios[i], 0), futures_.personCount(), state.x, state.y),
-        true};
-    float discount = 1.0F;
-    long steps = 0;
-    lower += rollOut<float>(constants_, field_, futures_, scenarios[i], 0, start, discount, steps);
-    if (start.alive && params_.beyond_horizon == BeyondHorizon::kFreeDrive) {
-      lower += discount * beyondHorizon({start.robot.x, start.robot.y, 1.0F, 0.0F,
-                                         start.robot.speed});
+    const float start_sq =
+        nearestSq(futures_.at(scenarios[i], 0), futures_.personCount(), state.x, state.y);
+    for (int p = 0; p < policies; ++p) {
+      values[p] += rollOutOne(state, here, start_sq, scenarios[i], 0, p);
     }
   }
-  lower /= count;
+  lower = *std::max_element(values, values + policies) / count;
   upper = std::max(lower, static_cast<double>(upper_bound_.value(state)));
+}
+
+float CrowdModel::rollOutOne(const RobotState& state, const FieldLanes<float>& here, float start_sq,
+                             int scenario, int depth, int policy) const {
+  RolloutStart<float> start{
+      {state.x, state.y, state.direction_x, state.direction_y, state.speed}, here, start_sq, true};
+  float discount = 1.0F;
+  long steps = 0;
+  const float value =
+      rollOut<float>(constants_, policy == 0 ? constants_.reactive : constants_.bold, field_,
+                     futures_, scenario, depth, start, discount, steps);
+  if (!start.alive) return value;
+  return value +
+         discount * beyondHorizon({start.robot.x, start.robot.y, 1.0F, 0.0F, start.robot.speed});
 }
 
 MoveLanes<float> CrowdModel::moveOne(const RobotState& state, const Action& action) const {
@@ -136,10 +149,8 @@ MoveLanes<float> CrowdModel::moveOne(const RobotState& state, const Action& acti
                                 state.speed};
   const FieldLanes<float> here = lookUp(field_, state.x, state.y);
   const bool follow = action.heading == Action::Heading::kFollowPrior;
-  const float turned_x =
-      state.direction_x * action.turn_cos - state.direction_y * action.turn_sin;
-  const float turned_y =
-      state.direction_x * action.turn_sin + state.direction_y * action.turn_cos;
+  const float turned_x = state.direction_x * action.turn_cos - state.direction_y * action.turn_sin;
+  const float turned_y = state.direction_x * action.turn_sin + state.direction_y * action.turn_cos;
   return moveRobots<float>(constants_, field_, robot, here, speedAfter(state, action),
                            follow ? here.direction_x : turned_x,
                            follow ? here.direction_y : turned_y, follow);
@@ -173,15 +184,8 @@ Branch CrowdModel::step(const RobotState& state, int scenario, int depth, const 
   branch.terminal = arrived || collides;
   branch.observation = futures_.observation(scenario, depth + 1);
   if (branch.terminal) return branch;
-  RolloutStart<float> start{{next.x, next.y, next.direction_x, next.direction_y, next.speed},
-                            move.field, end_sq, true};
-  float discount = 1.0F;
-  long steps = 0;
-  branch.lower =
-      rollOut<float>(c, field_, futures_, scenario, depth + 1, start, discount, steps);
-  if (start.alive && params_.beyond_horizon == BeyondHorizon::kFreeDrive) {
-    branch.lower +=
-        discount * beyondHorizon({start.robot.x, start.robot.y, 1.0F, 0.0F, start.robot.speed});
+  for (int p = 0; p < (c.has_bold ? 2 : 1); ++p) {
+    branch.lower[p] = rollOutOne(next, move.field, end_sq, scenario, depth + 1, p);
   }
   branch.upper = upper_bound_.value(next);
   return branch;
@@ -189,6 +193,7 @@ Branch CrowdModel::step(const RobotState& state, int scenario, int depth, const 
 
 // A free drive from here along the prior's path, speeding up as fast as possible.
 float CrowdModel::beyondHorizon(const RobotState& state) const {
+  if (params_.beyond_horizon == BeyondHorizon::kNothing) return 0.0F;
   const float along = field_.at(state.x, state.y).distance_to_goal;
   const float dx = constants_.goal_x - state.x;
   const float dy = constants_.goal_y - state.y;
@@ -209,7 +214,8 @@ Action CrowdModel::defaultAction(const RobotState* state) const {
   const bool moving = state->speed > 0.0F;
   const NavigationCell& here = field_.at(state->x, state->y);
   const bool has_way = here.direction_x != 0.0F || here.direction_y != 0.0F;
-  if (start_sq < constants_.near_sq || !has_way) return Action::turnBy(0.0, moving ? -1 : 0);
+  if (start_sq < constants_.reactive.near_sq || !has_way)
+    return Action::turnBy(0.0, moving ? -1 : 0);
   return Action::followPrior(moving ? 0 : 1);
 }
 

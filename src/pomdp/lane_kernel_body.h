@@ -6,12 +6,11 @@ namespace pomdp_crowd_nav {
 namespace {
 
 void moveActions(const Evaluation& e, const Lanes& speed, const Lanes& to_x, const Lanes& to_y,
-                 const LaneMask& follows_prior, const FieldLanes<Lanes>& here,
-                 ActionLanes& lanes) {
-  lanes.move = moveRobots<Lanes>(e.constants, e.field, lanes.robot, here, speed, to_x, to_y,
-                                 follows_prior);
-  lanes.arrived = goalDistanceSq(e.constants, lanes.robot.x, lanes.robot.y) <=
-                  e.constants.goal_tolerance_sq;
+                 const LaneMask& follows_prior, const FieldLanes<Lanes>& here, ActionLanes& lanes) {
+  lanes.move =
+      moveRobots<Lanes>(e.constants, e.field, lanes.robot, here, speed, to_x, to_y, follows_prior);
+  lanes.arrived =
+      goalDistanceSq(e.constants, lanes.robot.x, lanes.robot.y) <= e.constants.goal_tolerance_sq;
 }
 
 void evaluateScenario(const Evaluation& e, const ActionLanes& lanes, float start_sq, int scenario,
@@ -28,12 +27,15 @@ void evaluateScenario(const Evaluation& e, const ActionLanes& lanes, float start
                select(lanes.arrived, spread<Lanes>(c.goal_reward), penalty);
   out.terminal = lanes.arrived | collides;
 
-  RolloutStart<Lanes> start{lanes.move.end, lanes.move.field, end_sq,
-                            lanes.used & (out.terminal == 0)};
-  out.value =
-      rollOut<Lanes>(c, e.field, e.futures, scenario, depth + 1, start, out.discount, steps);
-  out.horizon = start.robot;
-  out.reached_horizon = start.alive;
+  for (int p = 0; p < (c.has_bold ? 2 : 1); ++p) {
+    RolloutStart<Lanes> start{lanes.move.end, lanes.move.field, end_sq,
+                              lanes.used & (out.terminal == 0)};
+    ScenarioOutcome::Rollouts& rollouts = out.rollouts[p];
+    rollouts.value = rollOut<Lanes>(c, p == 0 ? c.reactive : c.bold, e.field, e.futures, scenario,
+                                    depth + 1, start, rollouts.discount, steps);
+    rollouts.horizon = start.robot;
+    rollouts.reached_horizon = start.alive;
+  }
 }
 
 }  // namespace

@@ -30,8 +30,9 @@ StepConstants::StepConstants(const ModelParams& p, const NavigationField& field)
   max_y = static_cast<float>(field.bounds().max.y());
   pedestrian_clearance_sq = square(p.pedestrianClearance());
   obstacle_clearance = static_cast<float>(p.obstacleClearance());
-  near_sq = square(p.near_distance);
-  far_sq = square(p.far_distance);
+  reactive = {square(p.near_distance), square(p.far_distance)};
+  bold = {square(p.bold_distance), square(p.bold_distance)};
+  has_bold = p.bold_rollouts;
   goal_reward = static_cast<float>(p.reward.goal);
   pedestrian_penalty = static_cast<float>(p.reward.pedestrian);
   obstacle_penalty = static_cast<float>(p.reward.obstacle);

@@ -7,8 +7,8 @@
 namespace pomdp_crowd_nav {
 namespace {
 
-constexpr int kTabulated = 4000;     // steps; farther away the bound no longer changes
-constexpr float kRounding = 1e-3F;   // [steps] given away, so that float errors stay optimistic
+constexpr int kTabulated = 4000;    // steps; farther away the bound no longer changes
+constexpr float kRounding = 1e-3F;  // [steps] given away, so that float errors stay optimistic
 
 // Steps of `length` needed to cover `distance`, at most the last one tabulated.
 int stepsFor(float distance, float length) {

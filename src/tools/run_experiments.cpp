@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
 #include <fstream>
@@ -31,8 +31,7 @@ void addOptions(CLI::App& app, Options& options) {
       ->capture_default_str();
   app.add_option("--pedestrians", options.plan.pedestrians, "Sizes of the crowd")
       ->capture_default_str();
-  app.add_option("--planners", options.plan.planners, "Planners to compare")
-      ->capture_default_str();
+  app.add_option("--planners", options.plan.planners, "Planners to compare")->capture_default_str();
   app.add_option("--runs", options.plan.runs, "Episodes of each combination")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();

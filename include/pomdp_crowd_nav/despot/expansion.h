@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace pomdp_crowd_nav {
+
+// How many default policies a model may value a belief with; the search takes the best of them.
+constexpr int kDefaultPolicies = 2;
 
 // What one action does in one scenario, and what the belief after it is worth.
 struct Branch {
   float reward = 0.0F;
   bool terminal = false;          // the scenario ends: observation and bounds are not read
   std::uint64_t observation = 0;  // scenarios with equal keys stay in one belief
-  float lower = 0.0F;             // discounted return of the default policy from the next state
-  float upper = 0.0F;             // bound on the return of any policy from the next state
+  // Discounted return from the next state of each default policy; lowest where there is none.
+  std::array<float, kDefaultPolicies> lower{0.0F, std::numeric_limits<float>::lowest()};
+  float upper = 0.0F;  // bound on the return of any policy from the next state
 };
 
 // Everything that a model says of one belief node at once, so that it can fill vector lanes with

@@ -42,6 +42,11 @@ class Search {
   SearchResult<Action> run(const Model& model, std::vector<State> states,
                            const SearchLimit& limit) {
     plantRoot(model, std::move(states));
+    // Even a closed root is expanded: which action attains its bounds is not known before.
+    if (params_.max_depth > 0) {
+      expand(model, 0);
+      backUp(0);
+    }
     statistics_.stop = runTrials(model, limit);
     return collectResult(model);
   }
@@ -79,8 +84,7 @@ class Search {
       ++statistics_.trials;
       if (!timed) continue;
       const Clock::time_point then = Clock::now();
-      // The root's expansion is no measure of the trials to come.
-      if (statistics_.trials > 1) longest_trial = std::max(longest_trial, then - now);
+      longest_trial = std::max(longest_trial, then - now);
       now = then;
     }
   }
@@ -157,20 +161,23 @@ class Search {
       child.parent = action_index;
       child.depth = static_cast<std::uint16_t>(node.depth + 1);
       child.first_scenario = static_cast<std::int32_t>(tree_.scenarios.size());
-      child.first_state = Model::kSharesState ? shared_state : static_cast<int>(tree_.states.size());
+      child.first_state =
+          Model::kSharesState ? shared_state : static_cast<int>(tree_.states.size());
       const std::uint64_t observation = branches[order_[begin]].observation;
-      float lower = 0.0F;
+      std::array<float, kDefaultPolicies> lower{};
       float upper = 0.0F;
       for (; end < order_.size() && branches[order_[end]].observation == observation; ++end) {
         const int i = order_[end];
-        lower += branches[i].lower;
+        for (int p = 0; p < kDefaultPolicies; ++p) lower[p] += branches[i].lower[p];
         upper += branches[i].upper;
         tree_.scenarios.push_back(tree_.scenarios[node.first_scenario + i]);
         if (!Model::kSharesState) tree_.states.push_back(expansion_.states[first_branch + i]);
       }
       child.scenario_count = static_cast<std::uint16_t>(end - begin);
       const float weight = weights_[child.depth];
-      setInitialBounds(child, weight * lower, weight * upper);
+      // One policy for the whole belief: its scenarios cannot be told apart.
+      const float best = *std::max_element(lower.begin(), lower.end());
+      setInitialBounds(child, weight * best, weight * upper);
       tree_.beliefs.push_back(child);
       ++statistics_.belief_nodes;
     }
@@ -284,8 +291,7 @@ class Search {
     const ActionNode& node = tree_.action_nodes[action];
     int best = -1;
     for (int c = node.first_child; c < node.first_child + node.child_count; ++c) {
-      if (best < 0 ||
-          tree_.beliefs[c].scenario_count > tree_.beliefs[best].scenario_count) {
+      if (best < 0 || tree_.beliefs[c].scenario_count > tree_.beliefs[best].scenario_count) {
         best = c;
       }
     }

@@ -19,10 +19,10 @@ struct SearchStatistics {
   long trials = 0;
   long expansions = 0;
   long belief_nodes = 0;
-  long model_steps = 0;           // steps of one scenario, roll-outs included
-  long bound_violations = 0;      // leaves whose lower bound was above the upper; clamped
-  double lower_bound = 0.0;       // of the root, regularised
-  double upper_bound = 0.0;       // of the root, regularised
+  long model_steps = 0;       // steps of one scenario, roll-outs included
+  long bound_violations = 0;  // leaves whose lower bound was above the upper; clamped
+  double lower_bound = 0.0;   // of the root, regularised
+  double upper_bound = 0.0;   // of the root, regularised
   double initial_lower_bound = 0.0;
   double initial_upper_bound = 0.0;
   SearchStop stop = SearchStop::kGapClosed;

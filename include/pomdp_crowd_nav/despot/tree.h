@@ -9,11 +9,11 @@ namespace pomdp_crowd_nav {
 // A belief: a set of scenarios with one history. All values are weighted by the node's share of
 // scenarios and discounted to the root, so that values of siblings add up.
 struct BeliefNode {
-  float lower = 0.0F;            // l, regularised lower bound
-  float upper = 0.0F;            // mu, regularised upper bound
-  float utility_upper = 0.0F;    // U, upper bound without regularisation, for the blocker test
-  float default_value = 0.0F;    // l0, value of the default policy
-  std::int32_t parent = -1;      // action node, -1 for the root
+  float lower = 0.0F;              // l, regularised lower bound
+  float upper = 0.0F;              // mu, regularised upper bound
+  float utility_upper = 0.0F;      // U, upper bound without regularisation, for the blocker test
+  float default_value = 0.0F;      // l0, value of the default policy
+  std::int32_t parent = -1;        // action node, -1 for the root
   std::int32_t first_action = -1;  // -1 while the node is a leaf
   std::int32_t first_scenario = 0;
   std::int32_t first_state = 0;

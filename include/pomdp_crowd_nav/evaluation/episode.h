@@ -15,8 +15,8 @@ namespace pomdp_crowd_nav {
 struct EpisodeParams {
   NavigationParams navigation;
   Simulator::Params simulator;
-  std::uint64_t seed = 1;    // of the crowd and the sampled futures
-  long max_trials = 200;     // per decision; 0: none, the clock decides (search_time)
+  std::uint64_t seed = 1;     // of the crowd and the sampled futures
+  long max_trials = 200;      // per decision; 0: none, the clock decides (search_time)
   double time_limit = 300.0;  // [s]
 };
 
@@ -27,7 +27,7 @@ const char* describe(EpisodeEnd end);
 struct EpisodeResult {
   EpisodeEnd end = EpisodeEnd::kTimeLimit;
   EpisodeMetrics metrics;
-  std::vector<Point> trail;  // [m], the robot at every tick
+  std::vector<Point> trail;       // [m], the robot at every tick
   double mean_search_time = 0.0;  // [s]
   double max_search_time = 0.0;   // [s]
   double mean_trials = 0.0;

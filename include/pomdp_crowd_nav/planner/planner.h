@@ -19,9 +19,10 @@ struct PlannerParams {
   // Depth and discount are taken from the model.
   SearchParams search;
   PriorParams prior;
-  int pedestrians = 6;              // n_ped, people whose future is searched
-  double attention_angle = M_PI;    // [rad], half angle of the cone around the direction of travel
-  std::uint64_t seed = 1;           // of the sampled futures
+  int pedestrians = 6;               // n_ped, people whose future is searched
+  double attention_angle = M_PI;     // [rad], half angle of the cone around the direction of travel
+  double attention_lookahead = 1.0;  // [s], see AttentionParams
+  std::uint64_t seed = 1;            // of the sampled futures
 };
 
 // Throws std::invalid_argument naming the first field that is out of range.
@@ -35,8 +36,8 @@ struct Situation {
 
 struct Decision {
   Action action;
-  StepMotion motion;                // what the action does in the next step
-  std::vector<VehicleState> plan;   // states at the steps of the planned branch, from the start
+  StepMotion motion;                   // what the action does in the next step
+  std::vector<VehicleState> plan;      // states at the steps of the planned branch, from the start
   std::vector<std::int64_t> attended;  // ids of the people whose futures were searched
   SearchStatistics search;
   double wall_time = 0.0;  // [s], of the whole decision
@@ -46,9 +47,9 @@ struct Decision {
 struct TreeEdge {
   Point from{0.0, 0.0};
   Point to{0.0, 0.0};
-  float value = 0.0F;  // lower bound of the belief at `to`, per scenario, as seen from that belief
+  float value = 0.0F;   // lower bound of the belief at `to`, per scenario, as seen from that belief
   float weight = 0.0F;  // share of the scenarios
-  int depth = 0;       // of `to`
+  int depth = 0;        // of `to`
 };
 struct TreeView {
   std::vector<TreeEdge> edges;

@@ -47,6 +47,8 @@ class CrowdModel {
 
  private:
   MoveLanes<float> moveOne(const RobotState& state, const Action& action) const;
+  float rollOutOne(const RobotState& state, const FieldLanes<float>& here, float start_sq,
+                   int scenario, int depth, int policy) const;
   float beyondHorizon(const RobotState& state) const;
 
   ModelParams params_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "pomdp_crowd_nav/despot/expansion.h"
 #include "pomdp_crowd_nav/pomdp/rollout_policy.h"
 
 namespace pomdp_crowd_nav {
@@ -25,11 +26,14 @@ struct Evaluation {
 // What the actions bring in one scenario.
 struct ScenarioOutcome {
   Lanes reward;
-  Lanes value;                // of the roll-outs
-  float discount = 1.0F;      // left at the end of the roll-outs
   LaneMask terminal;
-  RobotLanes<Lanes> horizon;  // robots where the roll-outs ended
-  LaneMask reached_horizon;
+  struct Rollouts {
+    Lanes value;
+    float discount = 1.0F;      // left at their end
+    RobotLanes<Lanes> horizon;  // robots where they ended
+    LaneMask reached_horizon;
+  };
+  Rollouts rollouts[kDefaultPolicies];
 };
 
 // The search's inner loops, compiled once for each vector width.

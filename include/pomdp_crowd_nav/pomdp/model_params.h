@@ -38,12 +38,15 @@ struct ModelParams {
   double obstacle_distance = 2.0;     // [m], D_obs; the robot's radius comes on top
   double near_distance = 4.0;         // [m], D_near: roll-outs slow down closer than this
   double far_distance = 6.0;          // [m], D_far: roll-outs speed up beyond this
-  double pedestrian_noise = 0.1;      // [m], half width of the noise on a step of 1 s
+  // [m], both distances of a second, bolder roll-out policy; 0: never slows down
+  double bold_distance = 0.0;
+  bool bold_rollouts = true;      // value leaves by the better of the two policies
+  double pedestrian_noise = 0.1;  // [m], half width of the noise on a step of 1 s
   BeyondHorizon beyond_horizon = BeyondHorizon::kNothing;
   UpperBoundKind upper_bound = UpperBoundKind::kTight;
 
-  int depth() const;                   // D, steps to the horizon
-  double discount() const;             // gamma of one step
+  int depth() const;        // D, steps to the horizon
+  double discount() const;  // gamma of one step
   double speedStep() const { return vehicle.acceleration * step; }
   double pedestrianClearance() const { return pedestrian_distance + vehicle.radius; }
   double obstacleClearance() const { return obstacle_distance + vehicle.radius; }

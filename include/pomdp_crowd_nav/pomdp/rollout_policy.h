@@ -8,10 +8,11 @@ namespace pomdp_crowd_nav {
 // The default policy (paper, section Solving POMDPs Online): direction from the prior, speed from
 // the nearest person: slow down within D_near, speed up beyond D_far, else keep.
 template <class Value>
-PCN_INLINE Value rolloutSpeed(const StepConstants& c, const Value& speed, const Value& nearest_sq) {
+PCN_INLINE Value rolloutSpeed(const StepConstants& c, const SpeedRule& rule, const Value& speed,
+                              const Value& nearest_sq) {
   const Value slower = larger(speed - c.speed_step, spread<Value>(0.0F));
   const Value faster = smaller(speed + c.speed_step, spread<Value>(c.max_speed));
-  return select(nearest_sq < c.near_sq, slower, select(nearest_sq > c.far_sq, faster, speed));
+  return select(nearest_sq < rule.near_sq, slower, select(nearest_sq > rule.far_sq, faster, speed));
 }
 
 // Robots about to follow the default policy in one scenario from one depth.
@@ -27,9 +28,9 @@ struct RolloutStart {
 // Discounted return from here to the horizon in each living lane, 0 in the others; where a lane
 // reaches the horizon, `beyond` has its robot. Adds the steps it evaluated.
 template <class Value>
-PCN_INLINE Value rollOut(const StepConstants& c, const NavigationField& field,
-                         const CrowdFutures& futures, int scenario, int depth,
-                         RolloutStart<Value>& lanes, float& discount_left, long& steps) {
+PCN_INLINE Value rollOut(const StepConstants& c, const SpeedRule& rule,
+                         const NavigationField& field, const CrowdFutures& futures, int scenario,
+                         int depth, RolloutStart<Value>& lanes, float& discount_left, long& steps) {
   using Mask = typename MaskOf<Value>::Type;
   Value value = spread<Value>(0.0F);
   const int count = futures.personCount();
@@ -43,11 +44,11 @@ PCN_INLINE Value rollOut(const StepConstants& c, const NavigationField& field,
     const Value to_y = lanes.here.direction_y;
     const Mask has_way = (to_x * to_x + to_y * to_y) > 0.5F;
     const Value slower = larger(robot.speed - c.speed_step, spread<Value>(0.0F));
-    const Value speed = select(has_way, rolloutSpeed(c, robot.speed, lanes.nearest_sq), slower);
-    const MoveLanes<Value> move =
-        moveRobots<Value>(c, field, robot, lanes.here, speed,
-                          select(has_way, to_x, robot.direction_x),
-                          select(has_way, to_y, robot.direction_y), has_way);
+    const Value speed =
+        select(has_way, rolloutSpeed(c, rule, robot.speed, lanes.nearest_sq), slower);
+    const MoveLanes<Value> move = moveRobots<Value>(
+        c, field, robot, lanes.here, speed, select(has_way, to_x, robot.direction_x),
+        select(has_way, to_y, robot.direction_y), has_way);
     Value mid_sq = spread<Value>(std::numeric_limits<float>::max());
     Value end_sq = mid_sq;
     meetPeople(move, futures.at(scenario, depth), futures.at(scenario, depth + 1), count, mid_sq,
@@ -55,8 +56,8 @@ PCN_INLINE Value rollOut(const StepConstants& c, const NavigationField& field,
     Mask collides;
     const Value penalty =
         collisionPenalty(c, robot, move, lanes.nearest_sq, mid_sq, end_sq, collides);
-    const Value reward = stepCost(c, robot.speed) +
-                         select(arrived, spread<Value>(c.goal_reward), penalty);
+    const Value reward =
+        stepCost(c, robot.speed) + select(arrived, spread<Value>(c.goal_reward), penalty);
     value += select(lanes.alive, discount * reward, spread<Value>(0.0F));
     lanes.alive = lanes.alive & ((arrived | collides) == 0);
     lanes.robot = move.end;

@@ -14,6 +14,11 @@
 // the same depth, so that they meet the same people.
 namespace pomdp_crowd_nav {
 
+// Distances at which a roll-out slows down and speeds up, squared [m^2].
+struct SpeedRule {
+  float near_sq, far_sq;
+};
+
 // ModelParams turned into what a step multiplies with.
 struct StepConstants {
   float max_speed, speed_step, brake_step;  // [m/s], brake_step: lost in a step of sudden brake
@@ -23,7 +28,8 @@ struct StepConstants {
   float goal_x, goal_y, goal_tolerance_sq;
   float min_x, min_y, max_x, max_y;
   float pedestrian_clearance_sq, obstacle_clearance;
-  float near_sq, far_sq;
+  SpeedRule reactive, bold;  // of the two roll-out policies
+  bool has_bold;
   float goal_reward, pedestrian_penalty, obstacle_penalty, brake_penalty;
   float time_cost, low_speed_cost;  // per step; low_speed_cost at rest
   float discount;
@@ -167,8 +173,7 @@ PCN_INLINE MoveLanes<Value> moveRobots(const StepConstants& c, const NavigationF
 // straight from `from` to `to`.
 template <class Value>
 PCN_INLINE void meetPeople(const MoveLanes<Value>& move, const CrowdFutures::Place* from,
-                           const CrowdFutures::Place* to, int count, Value& mid_sq,
-                           Value& end_sq) {
+                           const CrowdFutures::Place* to, int count, Value& mid_sq, Value& end_sq) {
   for (int i = 0; i < count; ++i) {
     const Value mid_dx = move.mid_x - 0.5F * (from[i].x + to[i].x);
     const Value mid_dy = move.mid_y - 0.5F * (from[i].y + to[i].y);
@@ -186,7 +191,9 @@ PCN_INLINE Value collisionPenalty(const StepConstants& c, const RobotLanes<Value
                                   const MoveLanes<Value>& move, const Value& start_sq,
                                   const Value& mid_sq, const Value& end_sq,
                                   typename MaskOf<Value>::Type& collides) {
-  const auto starts_close = (robot.speed > 0.0F) & (start_sq <= c.pedestrian_clearance_sq);
+  // Who moves before or after, is tested where the step starts, half way, and where it ends.
+  const auto starts_close =
+      ((robot.speed > 0.0F) | (move.end.speed > 0.0F)) & (start_sq <= c.pedestrian_clearance_sq);
   const auto comes_close =
       (move.end.speed > 0.0F) & (smaller(mid_sq, end_sq) <= c.pedestrian_clearance_sq);
   const auto meets_person = starts_close | comes_close;
