@@ -21,11 +21,11 @@ float nearestSq(const CrowdFutures::Place* people, int count, float x, float y) 
 }  // namespace
 
 CrowdModel::CrowdModel(const ModelParams& params, const NavigationField& field,
-                       const CrowdFutures& futures)
+                       const CrowdFutures& futures, const LaneKernel& kernel)
     : params_(params),
       field_(field),
       futures_(futures),
-      kernel_(laneKernel()),
+      kernel_(kernel),
       constants_(params, field),
       upper_bound_(params, field.goal()) {
   validate(params);
@@ -127,7 +127,7 @@ void CrowdModel::rootBounds(const RobotState* states, const int* scenarios, int 
     }
   }
   lower = *std::max_element(values, values + policies) / count;
-  upper = std::max(lower, static_cast<double>(upper_bound_.value(state)));
+  upper = upper_bound_.value(state);
 }
 
 float CrowdModel::rollOutOne(const RobotState& state, const FieldLanes<float>& here, float start_sq,

@@ -65,7 +65,7 @@ class Search {
     model.rootBounds(tree_.states.data(), tree_.scenarios.data(), params_.scenarios, lower, upper);
     BeliefNode root;
     root.scenario_count = static_cast<std::uint16_t>(params_.scenarios);
-    setInitialBounds(root, static_cast<float>(lower), static_cast<float>(upper));
+    setInitialBounds(root, static_cast<float>(lower), static_cast<float>(upper), 1.0F);
     tree_.beliefs.push_back(root);
     statistics_.initial_lower_bound = root.lower;
     statistics_.initial_upper_bound = root.upper;
@@ -177,14 +177,16 @@ class Search {
       const float weight = weights_[child.depth];
       // One policy for the whole belief: its scenarios cannot be told apart.
       const float best = *std::max_element(lower.begin(), lower.end());
-      setInitialBounds(child, weight * best, weight * upper);
+      setInitialBounds(child, weight * best, weight * upper,
+                       weight * static_cast<float>(child.scenario_count));
       tree_.beliefs.push_back(child);
       ++statistics_.belief_nodes;
     }
   }
 
-  void setInitialBounds(BeliefNode& node, float lower, float upper) {
-    if (lower > upper + 1e-4F * (1.0F + std::abs(upper))) ++statistics_.bound_violations;
+  // `weight`: of a return of 1 in all of the node's scenarios.
+  void setInitialBounds(BeliefNode& node, float lower, float upper, float weight) {
+    if (lower > upper + 1e-4F * (weight + std::abs(upper))) ++statistics_.bound_violations;
     node.default_value = lower;
     node.lower = lower;
     node.utility_upper = std::max(lower, upper);

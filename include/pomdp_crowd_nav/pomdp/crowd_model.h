@@ -13,14 +13,17 @@ namespace pomdp_crowd_nav {
 // The navigation POMDP as a model for the DESPOT search: actions in vector lanes, people from the
 // table of futures, leaves valued by roll-outs along the prior.
 //
-// Refers to the field and the futures, which must outlive it. Its expand is const and thread-safe.
+// Refers to the field, the futures and the kernel, which must outlive it. Its expand is const and
+// thread-safe.
 class CrowdModel {
  public:
   using State = RobotState;
   using Action = pomdp_crowd_nav::Action;
   static constexpr bool kSharesState = true;  // the robot's state; people are in the futures
 
-  CrowdModel(const ModelParams& params, const NavigationField& field, const CrowdFutures& futures);
+  // `kernel`: one of laneKernels(); all give the same values.
+  CrowdModel(const ModelParams& params, const NavigationField& field, const CrowdFutures& futures,
+             const LaneKernel& kernel = laneKernel());
 
   void expand(const RobotState* states, const int* scenarios, int count, int depth,
               Expansion<CrowdModel>& out) const;
