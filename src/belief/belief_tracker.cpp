@@ -100,4 +100,11 @@ void BeliefTracker::follow(const Track& track, double stamp, PersonBelief& perso
   last = {stamp, track.position};
 }
 
+void predictPeople(double duration, CrowdBelief& crowd, TrackList& tracks) {
+  for (PersonBelief& person : crowd.people) person.position += duration * person.velocity;
+  for (Track& track : tracks.tracks) track.position += duration * track.velocity;
+  crowd.stamp += duration;
+  tracks.stamp += duration;
+}
+
 }  // namespace pomdp_crowd_nav

@@ -78,7 +78,9 @@ class Trip {
   }
 
   Decision decide() {
-    const Situation situation{vehicle(), tracker_.belief()};
+    Situation situation{vehicle(), tracker_.belief()};
+    TrackList tracks = tracks_;
+    predictPeople(simulator_.time() - tracks.stamp, situation.crowd, tracks);
     SearchLimit limit;
     if (params_.max_trials > 0) {
       limit = SearchLimit::trials(params_.max_trials);
@@ -89,7 +91,7 @@ class Trip {
                                  std::chrono::duration<double>(params_.navigation.search_time)));
     }
     Decision decision = planner_->decide(situation, limit);
-    if (const auto action = override_.replace(situation.vehicle, tracks_)) {
+    if (const auto action = override_.replace(situation.vehicle, tracks)) {
       override_.apply(*action, situation.vehicle, decision);
     }
     recorder_.countDecision(decision.action.sudden_brake && situation.vehicle.speed > 0.0, false);
@@ -114,7 +116,18 @@ class Trip {
       recorder_.tick(simulator_.time(), position, movingSpeed(speed), simulator_.crowd().walkers());
       result_.trail.push_back(position);
       sense();
+      brakeForPeople();
     }
+  }
+
+  // The reflex between decisions.
+  void brakeForPeople() {
+    TrackList tracks = tracks_;
+    CrowdBelief nobody;
+    predictPeople(simulator_.time() - tracks.stamp, nobody, tracks);
+    if (commands_.isStopping(simulator_.time()) || !override_.reflex(vehicle(), tracks)) return;
+    commands_.stop();
+    recorder_.countReflex();
   }
 
   // An instant base that was stopped for this tick is at rest in it, whatever it did before.

@@ -51,13 +51,6 @@ void noteBlocker(const std::optional<std::int64_t>& blocker, double now, Drive& 
 
 }  // namespace
 
-void predictPeople(double duration, CrowdBelief& crowd, TrackList& tracks) {
-  for (PersonBelief& person : crowd.people) person.position += duration * person.velocity;
-  for (Track& track : tracks.tracks) track.position += duration * track.velocity;
-  crowd.stamp += duration;
-  tracks.stamp += duration;
-}
-
 DecisionLoop::DecisionLoop(const PlannerNodeParams& params, Guarded<Drive>& drive,
                            Callbacks callbacks)
     : params_(params),

@@ -24,6 +24,9 @@ struct CrowdBelief {
   std::vector<PersonBelief> people;
 };
 
+// Moves everybody on for `duration` seconds at the velocity last seen; stamps move along.
+void predictPeople(double duration, CrowdBelief& crowd, TrackList& tracks);
+
 // Keeps a belief for every visible track: uniform when new, updated every `update_period` from the
 // progress made since the last update, forgotten when the track is gone.
 class BeliefTracker {

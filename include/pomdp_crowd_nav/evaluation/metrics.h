@@ -39,6 +39,7 @@ class MetricsRecorder {
 
   // One tick of the simulator that ended at `time` seconds since the trip began.
   void tick(double time, const Point& robot, double speed, const std::vector<Walker>& walkers);
+  void countReflex() { ++metrics_.sudden_brakes; }
   void countDecision(bool sudden_brake, bool missed_deadline);
 
   const EpisodeMetrics& metrics() const { return metrics_; }

@@ -72,7 +72,4 @@ class DecisionLoop {
   std::thread thread_;
 };
 
-// Moves everybody on along their measured velocities, by `duration` seconds.
-void predictPeople(double duration, CrowdBelief& crowd, TrackList& tracks);
-
 }  // namespace pomdp_crowd_nav

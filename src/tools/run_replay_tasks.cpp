@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "pomdp_crowd_nav/evaluation/replay_task.h"
+#include "pomdp_crowd_nav/params/yaml_param_reader.h"
+
+using namespace pomdp_crowd_nav;
+
+namespace {
+
+struct Options {
+  std::string world = "config/worlds/ucy_zara01.yaml";
+  std::string profile = "config/profiles/street.yaml";
+  std::string tracks;
+  std::string tasks;
+  long max_trials = 200;
+  std::uint64_t seed = 1;
+};
+
+constexpr double kContactDistance = 0.6;  // [m], between centres
+
+void run(const Options& options) {
+  auto reader = YamlParamReader::fromFile(options.profile);
+  EpisodeParams params;
+  params.navigation = loadNavigationParams(reader);
+  params.simulator = loadSimulatorParams(reader, params.navigation.planning.model.vehicle);
+  reader.requireAllUsed();
+  params.max_trials = options.max_trials;
+  params.seed = options.seed;
+  params.time_limit = 120.0;
+
+  World world = loadWorld(options.world);
+  world.tracks_file = options.tracks;
+  const std::vector<ReplayTask> tasks = loadReplayTasks(options.tasks);
+  std::vector<EpisodeResult> results;
+  fmt::print(
+      "person,end,travel_time_s,person_time_s,min_moving_distance_m,person_min_distance_m\n");
+  for (const ReplayTask& task : tasks) {
+    results.push_back(runEpisode(worldOf(task, world), params));
+    const EpisodeMetrics& metrics = results.back().metrics;
+    fmt::print("{},{},{:.1f},{:.1f},{:.2f},{:.2f}\n", task.person, describe(results.back().end),
+               metrics.travel_time, task.person_time, metrics.min_moving_distance,
+               task.person_min_distance);
+    std::fflush(stdout);
+  }
+  const ReplaySummary summary = summarize(tasks, results, kContactDistance);
+  fmt::print("tasks={} arrived={} mean_time_ratio={:.3f} robot_contacts={} person_contacts={}\n",
+             summary.tasks, summary.arrived, summary.mean_time_ratio, summary.robot_contacts,
+             summary.person_contacts);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{
+      "Lets the robot take the place of recorded people, one trip each, and compares it with "
+      "them."};
+  Options options;
+  app.add_option("--world", options.world, "World file of the recording")->capture_default_str();
+  app.add_option("--profile", options.profile, "Profile file of the robot")->capture_default_str();
+  app.add_option("--tracks", options.tracks, "CSV of the recorded people")->required();
+  app.add_option("--tasks", options.tasks, "JSON with replace_person_tasks")->required();
+  app.add_option("--max-trials", options.max_trials, "Search trials for each decision")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--seed", options.seed, "Seed of the sampled futures")->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
+  try {
+    run(options);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "run_replay_tasks: {}\n", error.what());
+    return 2;
+  }
+  return 0;
+}
