@@ -66,7 +66,10 @@ void CommandLoop::watchPeople(double now, Drive& drive) const {
   if (speed < MotionExecutor::kRestSpeed) return;
   const VehicleState vehicle{robot.pose.position,
                              std::atan2(robot.velocity.y(), robot.velocity.x()), speed};
-  if (!emergency_.reflex(vehicle, drive.inputs.tracks)) return;
+  TrackList tracks = drive.inputs.tracks;
+  CrowdBelief nobody;
+  predictPeople(now - drive.inputs.tracks_at, nobody, tracks);
+  if (!emergency_.reflex(vehicle, tracks)) return;
   drive.executor.stop();
   drive.reflex_or_miss = StopCause::kEmergency;
   ++drive.counts.sudden_brakes;

@@ -133,7 +133,10 @@ void SimulationServer::publishBase() {
 }
 
 void SimulationServer::publishCrowd() {
-  publishers_.persons.publish(toMessage(simulator_->sense(), header(params_.frames.global)));
+  const TrackList tracks = simulator_->sense();
+  std_msgs::Header seen = header(params_.frames.global);
+  seen.stamp -= ros::Duration(simulator_->time() - tracks.stamp);
+  publishers_.persons.publish(toMessage(tracks, seen));
   if (publishers_.crowd_markers.getNumSubscribers() == 0) return;
   const CrowdScene scene{simulator_->crowd().walkers(), observer_->trail(),
                          simulator_->base().pose(), params_.simulator.vehicle.radius,
