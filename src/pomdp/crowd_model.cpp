@@ -18,6 +18,14 @@ float nearestSq(const CrowdFutures::Place* people, int count, float x, float y) 
   return nearest;
 }
 
+float turnedX(const RobotState& state, const Action& action) {
+  return state.direction_x * action.turn_cos - state.direction_y * action.turn_sin;
+}
+
+float turnedY(const RobotState& state, const Action& action) {
+  return state.direction_x * action.turn_sin + state.direction_y * action.turn_cos;
+}
+
 }  // namespace
 
 CrowdModel::CrowdModel(const ModelParams& params, const NavigationField& field,
@@ -51,47 +59,24 @@ void CrowdModel::expand(const RobotState* states, const int* scenarios, int coun
   out.actions = legalActions(state);
   const int action_count = static_cast<int>(out.actions.size());
   const Evaluation evaluation{constants_, field_, futures_};
-  const NavigationCell& cell = field_.at(state.x, state.y);
-
-  ActionLanes lanes;
-  lanes.robot = {spread<Lanes>(state.x), spread<Lanes>(state.y), spread<Lanes>(state.direction_x),
-                 spread<Lanes>(state.direction_y), spread<Lanes>(state.speed)};
-  lanes.brake_penalty = spread<Lanes>(0.0F);
-  Lanes speed = spread<Lanes>(0.0F);
-  Lanes to_x = spread<Lanes>(1.0F);
-  Lanes to_y = spread<Lanes>(0.0F);
-  LaneMask follows{};
-  lanes.used = LaneMask{};
-  for (int a = 0; a < action_count; ++a) {
-    const Action& action = out.actions[a];
-    const bool follow = action.heading == Action::Heading::kFollowPrior;
-    speed[a] = speedAfter(state, action);
-    to_x[a] = follow ? cell.direction_x
-                     : state.direction_x * action.turn_cos - state.direction_y * action.turn_sin;
-    to_y[a] = follow ? cell.direction_y
-                     : state.direction_x * action.turn_sin + state.direction_y * action.turn_cos;
-    follows[a] = follow ? -1 : 0;
-    lanes.used[a] = -1;
-    if (action.sudden_brake) lanes.brake_penalty[a] = constants_.brake_penalty;
-  }
-  const FieldLanes<Lanes> here{spread<Lanes>(cell.direction_x), spread<Lanes>(cell.direction_y),
-                               spread<Lanes>(cell.clearance)};
-  kernel_.move(evaluation, speed, to_x, to_y, follows, here, lanes);
+  ActionMoves moves;
+  prepareMoves(state, out.actions, moves);
+  kernel_.move(evaluation, moves);
 
   float uppers[kMaxActions];
   for (int a = 0; a < action_count; ++a) {
-    out.states.push_back({lanes.move.end.x[a], lanes.move.end.y[a], lanes.move.end.direction_x[a],
-                          lanes.move.end.direction_y[a], lanes.move.end.speed[a]});
+    out.states.push_back({moves.end_x[a], moves.end_y[a], moves.end_direction_x[a],
+                          moves.end_direction_y[a], moves.speed[a]});
     uppers[a] = upper_bound_.value(out.states.back());
   }
 
   out.branches.resize(static_cast<size_t>(action_count) * count);
+  ScenarioOutcome outcome;
   for (int i = 0; i < count; ++i) {
     const int scenario = scenarios[i];
     const float start_sq =
         nearestSq(futures_.at(scenario, depth), futures_.personCount(), state.x, state.y);
-    ScenarioOutcome outcome;
-    kernel_.evaluate(evaluation, lanes, start_sq, scenario, depth, outcome, out.model_steps);
+    kernel_.evaluate(evaluation, moves, start_sq, scenario, depth, outcome, out.model_steps);
     const std::uint64_t observation = futures_.observation(scenario, depth + 1);
     for (int a = 0; a < action_count; ++a) {
       Branch& branch = out.branches[static_cast<size_t>(a) * count + i];
@@ -99,18 +84,37 @@ void CrowdModel::expand(const RobotState* states, const int* scenarios, int coun
       branch.terminal = outcome.terminal[a] != 0;
       branch.observation = observation;
       branch.upper = uppers[a];
-      for (int p = 0; p < (constants_.has_bold ? 2 : 1); ++p) {
-        const ScenarioOutcome::Rollouts& rollouts = outcome.rollouts[p];
-        branch.lower[p] = rollouts.value[a];
-        if (rollouts.reached_horizon[a] != 0) {
-          branch.lower[p] +=
-              rollouts.discount * beyondHorizon({rollouts.horizon.x[a], rollouts.horizon.y[a], 1.0F,
-                                                 0.0F, rollouts.horizon.speed[a]});
-        }
-      }
+      fillLower(outcome, a, branch);
     }
   }
   out.model_steps += static_cast<long>(action_count) * count;
+}
+
+void CrowdModel::prepareMoves(const RobotState& state, const std::vector<Action>& actions,
+                              ActionMoves& moves) const {
+  moves.count = static_cast<int>(actions.size());
+  moves.robot = state;
+  moves.here = lookUp(field_, state.x, state.y);
+  moves.arrived = goalDistanceSq(constants_, state.x, state.y) <= constants_.goal_tolerance_sq;
+  for (int a = 0; a < kMaxActions; ++a) {
+    const Action& action = actions[std::min(a, moves.count - 1)];  // the rest repeats the last
+    const bool follows = action.heading == Action::Heading::kFollowPrior;
+    moves.speed[a] = speedAfter(state, action);
+    moves.to_x[a] = follows ? moves.here.direction_x : turnedX(state, action);
+    moves.to_y[a] = follows ? moves.here.direction_y : turnedY(state, action);
+    moves.follows_prior[a] = follows ? -1 : 0;
+    moves.brake_penalty[a] = action.sudden_brake ? constants_.brake_penalty : 0.0F;
+  }
+}
+
+void CrowdModel::fillLower(const ScenarioOutcome& outcome, int a, Branch& branch) const {
+  for (int p = 0; p < (constants_.has_bold ? 2 : 1); ++p) {
+    const ScenarioOutcome::Rollouts& rollouts = outcome.rollouts[p];
+    branch.lower[p] = rollouts.value[a];
+    if (rollouts.reached_horizon[a] == 0) continue;
+    branch.lower[p] += rollouts.discount *
+                       beyondHorizon({rollouts.x[a], rollouts.y[a], 1.0F, 0.0F, rollouts.speed[a]});
+  }
 }
 
 void CrowdModel::rootBounds(const RobotState* states, const int* scenarios, int count,
@@ -149,11 +153,9 @@ MoveLanes<float> CrowdModel::moveOne(const RobotState& state, const Action& acti
                                 state.speed};
   const FieldLanes<float> here = lookUp(field_, state.x, state.y);
   const bool follow = action.heading == Action::Heading::kFollowPrior;
-  const float turned_x = state.direction_x * action.turn_cos - state.direction_y * action.turn_sin;
-  const float turned_y = state.direction_x * action.turn_sin + state.direction_y * action.turn_cos;
   return moveRobots<float>(constants_, field_, robot, here, speedAfter(state, action),
-                           follow ? here.direction_x : turned_x,
-                           follow ? here.direction_y : turned_y, follow);
+                           follow ? here.direction_x : turnedX(state, action),
+                           follow ? here.direction_y : turnedY(state, action), follow);
 }
 
 RobotState CrowdModel::move(const RobotState& state, const Action& action) const {

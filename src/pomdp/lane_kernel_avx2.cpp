@@ -12,6 +12,7 @@
 
 #define PCN_KERNEL kLaneKernelAvx2
 #define PCN_KERNEL_NAME "avx2"
+#define PCN_VALUE Float8
 #include "lane_kernel_body.h"
 
 #endif

@@ -12,6 +12,7 @@
 
 #define PCN_KERNEL kLaneKernelAvx512
 #define PCN_KERNEL_NAME "avx512"
+#define PCN_VALUE Float16
 #include "lane_kernel_body.h"
 
 #endif

@@ -5,4 +5,5 @@
 
 #define PCN_KERNEL kLaneKernelBaseline
 #define PCN_KERNEL_NAME "baseline"
+#define PCN_VALUE Float4
 #include "lane_kernel_body.h"

@@ -1,40 +1,106 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The body of lane_kernel_*.cpp, included once for each vector width: no include guard, and
-// PCN_KERNEL and PCN_KERNEL_NAME are the includer's.
+// The body of lane_kernel_*.cpp, included once for each vector width: no include guard; the
+// includer defines PCN_KERNEL, PCN_KERNEL_NAME and PCN_VALUE, the vector type.
 
 namespace pomdp_crowd_nav {
 namespace {
 
-void moveActions(const Evaluation& e, const Lanes& speed, const Lanes& to_x, const Lanes& to_y,
-                 const LaneMask& follows_prior, const FieldLanes<Lanes>& here, ActionLanes& lanes) {
-  lanes.move =
-      moveRobots<Lanes>(e.constants, e.field, lanes.robot, here, speed, to_x, to_y, follows_prior);
-  lanes.arrived =
-      goalDistanceSq(e.constants, lanes.robot.x, lanes.robot.y) <= e.constants.goal_tolerance_sq;
+using Value = PCN_VALUE;
+using Mask = MaskOf<Value>::Type;
+
+RobotLanes<Value> everywhere(const RobotState& robot) {
+  return {spread<Value>(robot.x), spread<Value>(robot.y), spread<Value>(robot.direction_x),
+          spread<Value>(robot.direction_y), spread<Value>(robot.speed)};
 }
 
-void evaluateScenario(const Evaluation& e, const ActionLanes& lanes, float start_sq, int scenario,
+MoveLanes<Value> loadMove(const ActionMoves& moves, int a) {
+  MoveLanes<Value> move;
+  move.end = {load<Value>(moves.end_x + a), load<Value>(moves.end_y + a),
+              load<Value>(moves.end_direction_x + a), load<Value>(moves.end_direction_y + a),
+              load<Value>(moves.speed + a)};
+  move.mid_x = load<Value>(moves.mid_x + a);
+  move.mid_y = load<Value>(moves.mid_y + a);
+  move.field = {load<Value>(moves.field_direction_x + a), load<Value>(moves.field_direction_y + a),
+                load<Value>(moves.field_clearance + a)};
+  move.ends_outside = loadMask<Mask>(moves.ends_outside + a);
+  move.hits_obstacle = loadMask<Mask>(moves.hits_obstacle + a);
+  return move;
+}
+
+void storeMove(const MoveLanes<Value>& move, int a, ActionMoves& moves) {
+  store(move.end.x, moves.end_x + a);
+  store(move.end.y, moves.end_y + a);
+  store(move.end.direction_x, moves.end_direction_x + a);
+  store(move.end.direction_y, moves.end_direction_y + a);
+  store(move.mid_x, moves.mid_x + a);
+  store(move.mid_y, moves.mid_y + a);
+  store(move.field.direction_x, moves.field_direction_x + a);
+  store(move.field.direction_y, moves.field_direction_y + a);
+  store(move.field.clearance, moves.field_clearance + a);
+  store(move.ends_outside, moves.ends_outside + a);
+  store(move.hits_obstacle, moves.hits_obstacle + a);
+}
+
+void moveActions(const Evaluation& e, ActionMoves& moves) {
+  const RobotLanes<Value> robot = everywhere(moves.robot);
+  const FieldLanes<Value> here{spread<Value>(moves.here.direction_x),
+                               spread<Value>(moves.here.direction_y),
+                               spread<Value>(moves.here.clearance)};
+  for (int a = 0; a < moves.count; a += kLanesOf<Value>) {
+    storeMove(moveRobots<Value>(e.constants, e.field, robot, here, load<Value>(moves.speed + a),
+                                load<Value>(moves.to_x + a), load<Value>(moves.to_y + a),
+                                loadMask<Mask>(moves.follows_prior + a)),
+              a, moves);
+  }
+}
+
+// Lanes a, a + 1, ... that hold an action.
+Mask usedLanes(int a, int count) {
+  Mask used{};
+  for (int i = 0; i < kLanesOf<Value>; ++i) used[i] = a + i < count ? -1 : 0;
+  return used;
+}
+
+void rollOutActions(const Evaluation& e, const MoveLanes<Value>& move, const Value& end_sq,
+                    const Mask& alive, int scenario, int depth, int a, ScenarioOutcome& out,
+                    long& steps) {
+  const StepConstants& c = e.constants;
+  for (int p = 0; p < (c.has_bold ? 2 : 1); ++p) {
+    ScenarioOutcome::Rollouts& rollouts = out.rollouts[p];
+    RolloutStart<Value> start{move.end, move.field, end_sq, alive};
+    float discount = 1.0F;
+    store(rollOut<Value>(c, p == 0 ? c.reactive : c.bold, e.field, e.futures, scenario, depth,
+                         start, discount, steps),
+          rollouts.value + a);
+    store(start.robot.x, rollouts.x + a);
+    store(start.robot.y, rollouts.y + a);
+    store(start.robot.speed, rollouts.speed + a);
+    store(start.alive, rollouts.reached_horizon + a);
+    if (anyOf(start.alive)) rollouts.discount = discount;
+  }
+}
+
+void evaluateScenario(const Evaluation& e, const ActionMoves& moves, float start_sq, int scenario,
                       int depth, ScenarioOutcome& out, long& steps) {
   const StepConstants& c = e.constants;
-  Lanes mid_sq = spread<Lanes>(std::numeric_limits<float>::max());
-  Lanes end_sq = mid_sq;
-  meetPeople(lanes.move, e.futures.at(scenario, depth), e.futures.at(scenario, depth + 1),
-             e.futures.personCount(), mid_sq, end_sq);
-  LaneMask collides;
-  const Lanes penalty = collisionPenalty(c, lanes.robot, lanes.move, spread<Lanes>(start_sq),
-                                         mid_sq, end_sq, collides);
-  out.reward = stepCost(c, lanes.robot.speed) + lanes.brake_penalty +
-               select(lanes.arrived, spread<Lanes>(c.goal_reward), penalty);
-  out.terminal = lanes.arrived | collides;
-
-  for (int p = 0; p < (c.has_bold ? 2 : 1); ++p) {
-    RolloutStart<Lanes> start{lanes.move.end, lanes.move.field, end_sq,
-                              lanes.used & (out.terminal == 0)};
-    ScenarioOutcome::Rollouts& rollouts = out.rollouts[p];
-    rollouts.value = rollOut<Lanes>(c, p == 0 ? c.reactive : c.bold, e.field, e.futures, scenario,
-                                    depth + 1, start, rollouts.discount, steps);
-    rollouts.horizon = start.robot;
-    rollouts.reached_horizon = start.alive;
+  const RobotLanes<Value> robot = everywhere(moves.robot);
+  const Mask arrived = moves.arrived ? ~Mask{} : Mask{};
+  for (int a = 0; a < moves.count; a += kLanesOf<Value>) {
+    const MoveLanes<Value> move = loadMove(moves, a);
+    Value mid_sq = spread<Value>(std::numeric_limits<float>::max());
+    Value end_sq = mid_sq;
+    meetPeople(move, e.futures.at(scenario, depth), e.futures.at(scenario, depth + 1),
+               e.futures.personCount(), mid_sq, end_sq);
+    Mask collides;
+    const Value penalty =
+        collisionPenalty(c, robot, move, spread<Value>(start_sq), mid_sq, end_sq, collides);
+    const Mask terminal = arrived | collides;
+    store(stepCost(c, robot.speed) + load<Value>(moves.brake_penalty + a) +
+              select(arrived, spread<Value>(c.goal_reward), penalty),
+          out.reward + a);
+    store(terminal, out.terminal + a);
+    rollOutActions(e, move, end_sq, usedLanes(a, moves.count) & ~terminal, scenario, depth + 1, a,
+                   out, steps);
   }
 }
 

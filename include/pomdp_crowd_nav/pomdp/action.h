@@ -28,7 +28,7 @@ struct Action {
 // "turn +15 deg, speed +1", for messages.
 std::string describe(const Action& action);
 
-// Most actions that a set holds: the vector lanes of the roll-outs are this wide.
+// Most actions that a set holds: the search's kernels work on this many at once.
 constexpr int kMaxActions = 16;
 
 // The paper's sets (section ES planner), in the order in which ties are broken: 9 actions at

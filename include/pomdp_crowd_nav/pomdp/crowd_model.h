@@ -49,6 +49,9 @@ class CrowdModel {
   const StepConstants& constants() const { return constants_; }
 
  private:
+  void prepareMoves(const RobotState& state, const std::vector<Action>& actions,
+                    ActionMoves& moves) const;
+  void fillLower(const ScenarioOutcome& outcome, int a, Branch& branch) const;
   MoveLanes<float> moveOne(const RobotState& state, const Action& action) const;
   float rollOutOne(const RobotState& state, const FieldLanes<float>& here, float start_sq,
                    int scenario, int depth, int policy) const;

@@ -1,19 +1,48 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
 #include "pomdp_crowd_nav/despot/expansion.h"
+#include "pomdp_crowd_nav/pomdp/action.h"
+#include "pomdp_crowd_nav/pomdp/robot_state.h"
 #include "pomdp_crowd_nav/pomdp/rollout_policy.h"
 
 namespace pomdp_crowd_nav {
 
-// What is common to all scenarios of an expansion: where each action takes the robot. Lane a holds
-// action a.
-struct ActionLanes {
-  RobotLanes<Lanes> robot;  // before the action, the same in every lane
-  MoveLanes<Lanes> move;
-  Lanes brake_penalty;
-  LaneMask used;     // lanes that hold an action
-  LaneMask arrived;  // the robot is at the goal already
+using ActionFloats = float[kMaxActions];
+using ActionFlags = int[kMaxActions];  // -1 true, 0 false
+
+// The actions of one expansion and where each takes the robot: what is common to all scenarios.
+// Index a is action a; behind `count` nothing is read.
+struct ActionMoves {
+  int count = 0;
+  RobotState robot;        // before the action
+  FieldLanes<float> here;  // the field there
+  bool arrived = false;    // the robot is at the goal already
+
+  // Given: the action's speed and direction, whether it stops at the goal, its penalty.
+  alignas(64) ActionFloats speed, to_x, to_y, brake_penalty;
+  alignas(64) ActionFlags follows_prior;
+
+  // Filled in by LaneKernel::move.
+  alignas(64) ActionFloats end_x, end_y, end_direction_x, end_direction_y;
+  alignas(64) ActionFloats mid_x, mid_y;
+  alignas(64) ActionFloats field_direction_x, field_direction_y, field_clearance;  // at the end
+  alignas(64) ActionFlags ends_outside, hits_obstacle;
+};
+
+// What the actions bring in one scenario.
+struct ScenarioOutcome {
+  struct Rollouts {
+    alignas(64) ActionFloats value;
+    alignas(64) ActionFloats x, y, speed;  // where they ended
+    alignas(64) ActionFlags reached_horizon;
+    float discount = 1.0F;  // left at the horizon
+  };
+  alignas(64) ActionFloats reward;
+  alignas(64) ActionFlags terminal;
+  Rollouts rollouts[kDefaultPolicies];
 };
 
 // What a kernel needs of its surroundings.
@@ -23,30 +52,15 @@ struct Evaluation {
   const CrowdFutures& futures;
 };
 
-// What the actions bring in one scenario.
-struct ScenarioOutcome {
-  Lanes reward;
-  LaneMask terminal;
-  struct Rollouts {
-    Lanes value;
-    float discount = 1.0F;      // left at their end
-    RobotLanes<Lanes> horizon;  // robots where they ended
-    LaneMask reached_horizon;
-  };
-  Rollouts rollouts[kDefaultPolicies];
-};
-
 // The search's inner loops, compiled once for each vector width.
 struct LaneKernel {
   const char* name;
 
-  // Fills lanes.move and lanes.arrived from the speed and direction of each action.
-  void (*move)(const Evaluation&, const Lanes& speed, const Lanes& to_x, const Lanes& to_y,
-               const LaneMask& follows_prior, const FieldLanes<Lanes>& here, ActionLanes& lanes);
+  void (*move)(const Evaluation&, ActionMoves& moves);
 
   // One scenario of an expansion: the step of every action, then roll-outs from where they end.
   // `start_sq` is the squared distance to the nearest person before the step [m^2].
-  void (*evaluate)(const Evaluation&, const ActionLanes& lanes, float start_sq, int scenario,
+  void (*evaluate)(const Evaluation&, const ActionMoves& moves, float start_sq, int scenario,
                    int depth, ScenarioOutcome& out, long& steps);
 };
 

@@ -35,7 +35,7 @@ PCN_INLINE Value rollOut(const StepConstants& c, const SpeedRule& rule,
   Value value = spread<Value>(0.0F);
   const int count = futures.personCount();
   float discount = 1.0F;
-  typename MaskOf<Value>::Count evaluated;
+  TrueCount<Mask> evaluated;
   for (; depth < futures.depth() && anyOf(lanes.alive); ++depth) {
     RobotLanes<Value>& robot = lanes.robot;
     evaluated.add(lanes.alive);

@@ -65,31 +65,30 @@ PCN_INLINE FieldLanes<float> lookUp(const NavigationField& field, float x, float
   return {cell.direction_x, cell.direction_y, cell.clearance};
 }
 
-PCN_INLINE FieldLanes<Lanes> lookUp(const NavigationField& field, const Lanes& x, const Lanes& y) {
+template <class Value>
+PCN_INLINE FieldLanes<Value> lookUp(const NavigationField& field, const Value& x, const Value& y) {
+  using Mask = typename MaskOf<Value>::Type;
+  constexpr int kCount = kLanesOf<Value>;
   const float scale = field.cellsPerMeter();
-  const Lanes zero = spread<Lanes>(0.0F);
-  const Lanes last_column = spread<Lanes>(static_cast<float>(field.columns() - 1));
-  const Lanes last_row = spread<Lanes>(static_cast<float>(field.rows() - 1));
-  const Lanes column =
-      smaller(larger((x - static_cast<float>(field.bounds().min.x())) * scale, zero), last_column);
-  const Lanes row =
-      smaller(larger((y - static_cast<float>(field.bounds().min.y())) * scale, zero), last_row);
-  const LaneMask cell = __builtin_convertvector(row, LaneMask) * field.columns() +
-                        __builtin_convertvector(column, LaneMask);
-  int cells[kLanes];
-  __builtin_memcpy(cells, &cell, sizeof(cells));
-  float places[3][kLanes];
-  for (int i = 0; i < kLanes; ++i) {
+  const Value zero = spread<Value>(0.0F);
+  const Value last_column = spread<Value>(static_cast<float>(field.columns() - 1));
+  const Value last_row = spread<Value>(static_cast<float>(field.rows() - 1));
+  const Value from_left = (x - static_cast<float>(field.bounds().min.x())) * scale;
+  const Value from_bottom = (y - static_cast<float>(field.bounds().min.y())) * scale;
+  const Value column = smaller(larger(from_left, zero), last_column);
+  const Value row = smaller(larger(from_bottom, zero), last_row);
+  int cells[kCount];
+  store(
+      __builtin_convertvector(row, Mask) * field.columns() + __builtin_convertvector(column, Mask),
+      cells);
+  float places[3][kCount];
+  for (int i = 0; i < kCount; ++i) {
     const NavigationCell& place = field.cells()[cells[i]];
     places[0][i] = place.direction_x;
     places[1][i] = place.direction_y;
     places[2][i] = place.clearance;
   }
-  FieldLanes<Lanes> found;
-  __builtin_memcpy(&found.direction_x, places[0], sizeof(Lanes));
-  __builtin_memcpy(&found.direction_y, places[1], sizeof(Lanes));
-  __builtin_memcpy(&found.clearance, places[2], sizeof(Lanes));
-  return found;
+  return {load<Value>(places[0]), load<Value>(places[1]), load<Value>(places[2])};
 }
 
 // R_t + R_speed: what a step costs that starts at `speed`.
