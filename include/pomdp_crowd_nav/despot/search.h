@@ -33,6 +33,7 @@ class Search {
 
   explicit Search(const SearchParams& params) : params_(params) {
     validate(params);
+    tree_.reserve(static_cast<size_t>(params.max_nodes) + params.scenarios);
     for (int d = 0; d <= params.max_depth + 1; ++d) {
       weights_.push_back(static_cast<float>(std::pow(params.discount, d) / params.scenarios));
     }

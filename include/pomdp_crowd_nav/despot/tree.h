@@ -45,6 +45,16 @@ struct Tree {
   std::vector<std::int32_t> scenarios;
   std::vector<State> states;
 
+  // Room for a tree of `count` beliefs: a vector that moved while it grows would hold up a search
+  // for longer than its margin. Pages that are never used cost nothing.
+  void reserve(size_t count) {
+    beliefs.reserve(count);
+    action_nodes.reserve(count);
+    actions.reserve(count);
+    scenarios.reserve(count);
+    states.reserve(count);
+  }
+
   void clear() {
     beliefs.clear();
     action_nodes.clear();

@@ -16,7 +16,7 @@ namespace pomdp_crowd_nav {
 struct NavigationParams {
   std::string planner = "2d_fmm";
   PlannerParams planning;
-  double search_time = 0.4;  // [s] of wall clock for one decision
+  double search_time = 0.35;  // [s] of wall clock for one decision
   BeliefTracker::Params belief;
   EmergencyOverride::Params emergency;
   CommandGenerator::Params command;

@@ -13,7 +13,7 @@ struct DecisionSlot {
 // Decisions take effect at even intervals; each is searched for in the time just before.
 class DecisionSchedule {
  public:
-  static constexpr double kMargin = 0.03;  // [s] before the search and between search and effect
+  static constexpr double kMargin = 0.05;  // [s] before the search and between search and effect
 
   // A search that does not fit into the step is shortened.
   DecisionSchedule(double step, double search_time);
