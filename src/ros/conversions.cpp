@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pomdp_crowd_nav/ros/conversions.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace pomdp_crowd_nav {
 namespace {
-
-constexpr int kOccupied = 65;         // of 100, as map_server's default threshold
-constexpr double kTurnedGrid = 1e-3;  // [rad]
 
 Point toPoint(const geometry_msgs::Point& p) { return {p.x, p.y}; }
 Point toPoint(const geometry_msgs::Vector3& v) { return {v.x, v.y}; }
@@ -101,29 +95,6 @@ TrackList toTracks(const TrackedPersons& persons, const Pose& frame) {
     list.tracks.push_back(track);
   }
   return list;
-}
-
-std::shared_ptr<const StaticMap> toStaticMap(const nav_msgs::OccupancyGrid& grid) {
-  const std::optional<Pose> origin = toPose(grid.info.origin);
-  const size_t cells = static_cast<size_t>(grid.info.width) * grid.info.height;
-  if (cells == 0 || cells != grid.data.size()) {
-    throw std::invalid_argument(fmt::format("map: {} x {} cells announced, {} sent",
-                                            grid.info.width, grid.info.height, grid.data.size()));
-  }
-  if (!origin || std::abs(origin->heading) > kTurnedGrid) {
-    throw std::invalid_argument("map: its origin must be finite and not turned");
-  }
-  OccupancyGrid blocked;
-  blocked.origin = origin->position;
-  blocked.resolution = grid.info.resolution;
-  blocked.columns = static_cast<int>(grid.info.width);
-  blocked.rows = static_cast<int>(grid.info.height);
-  for (const int cell : grid.data) blocked.blocked.push_back(cell < 0 || cell >= kOccupied);
-  const Point size = blocked.resolution * Point(blocked.columns, blocked.rows);
-  StaticMap::Obstacles obstacles;
-  obstacles.grid = std::move(blocked);
-  return std::make_shared<const StaticMap>(Bounds{origin->position, Point(origin->position + size)},
-                                           std::move(obstacles));
 }
 
 geometry_msgs::Point toMessage(const Point& point, double z) {
@@ -216,25 +187,6 @@ EpisodeMetricsMessage toMessage(const EpisodeMetrics& metrics) {
   message.decisions = static_cast<std::uint32_t>(metrics.decisions);
   message.deadline_misses = static_cast<std::uint32_t>(metrics.deadline_misses);
   message.sudden_brakes = static_cast<std::uint32_t>(metrics.sudden_brakes);
-  return message;
-}
-
-nav_msgs::OccupancyGrid toMessage(const StaticMap& map, double resolution,
-                                  const std_msgs::Header& header) {
-  const Point size = map.bounds().max - map.bounds().min;
-  nav_msgs::OccupancyGrid message;
-  message.header = header;
-  message.info.map_load_time = header.stamp;
-  message.info.resolution = static_cast<float>(resolution);
-  message.info.width = static_cast<std::uint32_t>(std::ceil(size.x() / resolution - 1e-6));
-  message.info.height = static_cast<std::uint32_t>(std::ceil(size.y() / resolution - 1e-6));
-  message.info.origin = toMessage(Pose{map.bounds().min, 0.0});
-  for (std::uint32_t row = 0; row < message.info.height; ++row) {
-    for (std::uint32_t column = 0; column < message.info.width; ++column) {
-      const Point center = map.bounds().min + resolution * Point(column + 0.5, row + 0.5);
-      message.data.push_back(map.clearance(center) <= 0.5 * resolution ? 100 : 0);
-    }
-  }
   return message;
 }
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "pomdp_crowd_nav/ros/map_conversions.h"
 #include "pomdp_crowd_nav/ros/steady_time.h"
 
 namespace pomdp_crowd_nav {

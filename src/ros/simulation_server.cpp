@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pomdp_crowd_nav/ros/map_conversions.h"
 #include "pomdp_crowd_nav/ros/markers.h"
 #include "pomdp_crowd_nav/ros/steady_time.h"
 

@@ -95,6 +95,19 @@ TEST_F(GoalsTest, PauseStopsAndResumeGoesOn) {
   EXPECT_TRUE(client_.waitForEnd(5.0));
 }
 
+TEST_F(GoalsTest, GoalOfRvizIsDrivenTo) {
+  ros::Publisher publisher =
+      ros::NodeHandle().advertise<geometry_msgs::PoseStamped>("move_base_simple/goal", 1, true);
+  geometry_msgs::PoseStamped goal;
+  goal.header.frame_id = "map";
+  goal.pose = toMessage(Pose{Point(25.0, 45.0), 0.0});
+  publisher.publish(goal);
+  EXPECT_TRUE(client_.waitForMotion(20.0)) << client_.status().stop_cause;
+  client_.cancelAll();
+  EXPECT_TRUE(
+      client_.waitUntil(8.0, [this] { return client_.status().state == PlannerStatus::IDLE; }));
+}
+
 TEST_F(GoalsTest, MakePlanGoesRoundObstacles) {
   ros::ServiceClient service =
       ros::NodeHandle().serviceClient<nav_msgs::GetPlan>("planner_node/make_plan");

@@ -38,6 +38,7 @@ class NavigationClient {
   }
 
   void cancel() { action_.cancelGoal(); }
+  void cancelAll() { action_.cancelAllGoals(); }
 
   State state() { return action_.getState(); }
   std::string text() { return state().getText(); }

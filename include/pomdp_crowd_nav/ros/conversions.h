@@ -4,11 +4,9 @@
 #include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/Transform.h>
 #include <geometry_msgs/Twist.h>
-#include <nav_msgs/OccupancyGrid.h>
 #include <nav_msgs/Odometry.h>
 #include <nav_msgs/Path.h>
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,7 +15,6 @@
 #include "pomdp_crowd_nav/evaluation/metrics.h"
 #include "pomdp_crowd_nav/ros/messages.h"
 #include "pomdp_crowd_nav/world/base_command.h"
-#include "pomdp_crowd_nav/world/static_map.h"
 #include "pomdp_crowd_nav/world/track.h"
 
 namespace pomdp_crowd_nav {
@@ -45,10 +42,6 @@ std::optional<RobotReading> toReading(const nav_msgs::Odometry& odometry, const 
 // People without a finite position are left out; a velocity that is not finite counts as zero.
 TrackList toTracks(const TrackedPersons& persons, const Pose& frame);
 
-// Unknown cells and cells from 65 on are blocked. Throws std::invalid_argument for a grid without
-// cells, of another size than it says, or turned against its frame.
-std::shared_ptr<const StaticMap> toStaticMap(const nav_msgs::OccupancyGrid& grid);
-
 // To messages.
 geometry_msgs::Point toMessage(const Point& point, double z = 0.0);
 geometry_msgs::Pose toMessage(const Pose& pose);
@@ -59,7 +52,5 @@ CrowdBeliefMessage toMessage(const CrowdBelief& crowd, const std::vector<Point>&
                              const std_msgs::Header& header);
 TrackedPersons toMessage(const TrackList& tracks, const std_msgs::Header& header);
 EpisodeMetricsMessage toMessage(const EpisodeMetrics& metrics);
-nav_msgs::OccupancyGrid toMessage(const StaticMap& map, double resolution,
-                                  const std_msgs::Header& header);
 
 }  // namespace pomdp_crowd_nav

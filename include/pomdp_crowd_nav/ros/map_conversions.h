@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <nav_msgs/OccupancyGrid.h>
+
+#include <memory>
+
+#include "pomdp_crowd_nav/world/static_map.h"
+
+namespace pomdp_crowd_nav {
+
+// Unknown cells and cells from 65 on are blocked. Throws std::invalid_argument for a grid without
+// cells, of another size than it says, or turned against its frame.
+std::shared_ptr<const StaticMap> toStaticMap(const nav_msgs::OccupancyGrid& grid);
+
+nav_msgs::OccupancyGrid toMessage(const StaticMap& map, double resolution,
+                                  const std_msgs::Header& header);
+
+}  // namespace pomdp_crowd_nav
