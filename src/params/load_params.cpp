@@ -103,6 +103,7 @@ void readSafety(ParamReader& reader, NavigationParams& params) {
 
 NavigationParams loadNavigationParams(ParamReader& reader) {
   NavigationParams params;
+  params.planning.model.step = 0.5;
   reader.read("planner", params.planner);
   readPlanning(reader, params.planning);
   readSafety(reader, params);

@@ -3,10 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <fstream>
 #include <map>
 
+#include "../recordings.h"
 #include "temporary_file.h"
 
 namespace pomdp_crowd_nav {
@@ -88,15 +87,9 @@ TEST(RecordedCrowd, BridgesALostSampleInTruthOnly) {
   EXPECT_TRUE(crowd.sighted().empty());
 }
 
-// The folder with the recordings: $UCY_DATA_DIR, or where the authors keep it.
-std::string recordedFile(const std::string& name) {
-  const char* folder = std::getenv("UCY_DATA_DIR");
-  return std::string(folder ? folder : SOURCE_DIR "/../shared/data") + "/" + name;
-}
-
 TEST(RecordedCrowd, NeverRevealsTheFuture) {
-  const std::string path = recordedFile("ucy_zara01.csv");
-  if (!std::ifstream(path)) GTEST_SKIP() << path << " is absent; set UCY_DATA_DIR to its folder";
+  const std::string path = recordingPath("ucy_zara01.csv");
+  if (!isThere(path)) GTEST_SKIP() << path << " is absent; set UCY_DATA_DIR to its folder";
   const std::vector<TrackSample> recording = readTracksFile(path);
   RecordedCrowd crowd(recording, {});
   std::map<std::int64_t, TrackSample> last;  // of each person, at or before now

@@ -27,7 +27,8 @@ struct NavigationParams {
   double transform_tolerance = 0.2;    // [s]
 };
 
-// Reads the keys of a profile, ROS names where ROS has a name (ros_interface in the README).
+// Reads the keys of a profile, ROS names where ROS has a name (README, parameters). What is absent
+// keeps its default, planner_frequency 2 Hz.
 // Throws std::runtime_error (type) or std::invalid_argument (range), one line naming the key.
 NavigationParams loadNavigationParams(ParamReader& reader);
 
