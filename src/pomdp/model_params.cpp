@@ -34,6 +34,7 @@ void validate(const ModelParams& p) {
   require(p.near_distance >= 0.0, "near_distance", "at least 0", p.near_distance);
   require(p.far_distance >= p.near_distance, "far_distance", "at least near_distance",
           p.far_distance);
+  require(p.bold_distance >= 0.0, "bold_distance", "at least 0", p.bold_distance);
   require(p.pedestrian_noise >= 0.0, "pedestrian_noise", "at least 0", p.pedestrian_noise);
   require(p.reward.goal > 0.0, "reward/goal", "positive", p.reward.goal);
   require(p.reward.pedestrian <= 0.0, "reward/pedestrian", "at most 0", p.reward.pedestrian);

@@ -40,7 +40,7 @@ class CrowdFutures {
 
   // personCount() places, depth 0 is now.
   const Place* at(int scenario, int depth) const {
-    return &places_[(static_cast<size_t>(scenario) * (depth_ + 1) + depth) * person_count_];
+    return places_.data() + (static_cast<size_t>(scenario) * (depth_ + 1) + depth) * person_count_;
   }
 
   // Key of what is observed at a depth: everybody's cell on a 1 m grid (paper, section
