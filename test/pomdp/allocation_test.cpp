@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Once its memory has grown, an expansion takes nothing from the heap.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+#include <numeric>
+
+#include "crowd_scene.h"
+
+namespace {
+
+std::atomic<long> allocations{0};
+
+}  // namespace
+
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace pomdp_crowd_nav {
+namespace {
+
+TEST(Allocation, IsCountedHere) {
+  const long before = allocations;
+  const std::vector<int> some(100);
+  EXPECT_EQ(allocations - before, 1) << some.size();
+}
+
+TEST(Allocation, NoneInAWarmExpansion) {
+  const ModelParams params = paperModel();
+  const CrowdScene scene(params, {6, 100, true, 1});
+  for (const LaneKernel* kernel : laneKernels()) {
+    const CrowdModel model(params, scene.field(), scene.futures(), *kernel);
+    std::vector<int> scenarios(100);
+    std::iota(scenarios.begin(), scenarios.end(), 0);
+    Expansion<CrowdModel> out;
+    const RobotState moving = RobotState::from({{5.0, 5.0}, 0.0, 1.0});
+    model.expand(&moving, scenarios.data(), 100, 0, out);
+    std::mt19937_64 random(1);
+    const long before = allocations;
+    for (int i = 0; i < 50; ++i) {
+      const RobotState state = scene.randomState(random);
+      model.expand(&state, scenarios.data(), i % 2 == 0 ? 1 : 100, i % 20, out);
+    }
+    EXPECT_EQ(allocations - before, 0) << kernel->name;
+  }
+}
+
+}  // namespace
+}  // namespace pomdp_crowd_nav

@@ -1,0 +1,437 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pomdp_crowd_nav/pomdp/crowd_model.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <numeric>
+#include <string>
+
+#include "crowd_scene.h"
+#include "reference_model.h"
+
+namespace pomdp_crowd_nav {
+namespace {
+
+struct Setting {
+  std::string name;
+  ModelParams model;
+  bool obstacles = false;
+  int people = 6;
+};
+
+std::vector<Setting> settings() {
+  ModelParams timid = paperModel();
+  timid.bold_rollouts = false;
+  ModelParams far_sighted = rampedModel();
+  far_sighted.beyond_horizon = BeyondHorizon::kFreeDrive;
+  ModelParams paper_bound = paperModel();
+  paper_bound.upper_bound = UpperBoundKind::kPaper;
+  return {{"paper", paperModel()},
+          {"paper_obstacles", paperModel(), true},
+          {"paper_one_policy", timid, true},
+          {"paper_bound", paper_bound, true},
+          {"ramped", rampedModel()},
+          {"ramped_obstacles", rampedModel(), true},
+          {"ramped_free_drive", far_sighted, true},
+          {"ramped_crowded", rampedModel(), true, 20},
+          {"paper_alone", paperModel(), true, 0}};
+}
+
+class CrowdModelTest : public testing::TestWithParam<Setting> {
+ protected:
+  CrowdScene scene_{GetParam().model, {GetParam().people, 8, GetParam().obstacles, 3}};
+  CrowdModel model_{GetParam().model, scene_.field(), scene_.futures()};
+  std::mt19937_64 random_{11};
+
+  int randomDepth() { return static_cast<int>(random_() % scene_.futures().depth()); }
+  int randomScenario() { return static_cast<int>(random_() % 8); }
+};
+
+TEST_P(CrowdModelTest, StepIsThatOfTheReference) {
+  const ModelParams& params = GetParam().model;
+  constexpr double kMargin = 3e-4;
+  ReferenceModel reference(params, scene_.field(), scene_.futures());
+  int compared = 0;
+  int terminal = 0;
+  for (int i = 0; i < 2500; ++i) {
+    const RobotState state = scene_.randomState(random_);
+    const VehicleState vehicle{
+        Point(state.x, state.y),
+        std::atan2(static_cast<double>(state.direction_y), static_cast<double>(state.direction_x)),
+        state.speed};
+    const auto& actions = model_.legalActions(state);
+    const Action& action = actions[random_() % actions.size()];
+    const int scenario = randomScenario();
+    const int depth = randomDepth();
+    const auto expected = reference.step(vehicle, scenario, depth, action);
+    if (expected.margin < kMargin) continue;
+    ++compared;
+    RobotState next;
+    const Branch branch = model_.step(state, scenario, depth, action, next);
+    ASSERT_EQ(branch.terminal, expected.terminal) << describe(action);
+    ASSERT_NEAR(branch.reward, expected.reward, 1e-4 * (1.0 + std::abs(expected.reward)));
+    ASSERT_NEAR(next.x, expected.next.position.x(), 1e-4);
+    ASSERT_NEAR(next.y, expected.next.position.y(), 1e-4);
+    ASSERT_NEAR(next.speed, expected.next.speed, 1e-5);
+    ASSERT_NEAR(next.direction_x, std::cos(expected.next.heading), 1e-4);
+    ASSERT_NEAR(next.direction_y, std::sin(expected.next.heading), 1e-4);
+    EXPECT_EQ(branch.observation, scene_.futures().observation(scenario, depth + 1));
+    terminal += branch.terminal ? 1 : 0;
+    if (branch.terminal) continue;
+    for (int p = 0; p < (params.bold_rollouts ? 2 : 1); ++p) {
+      if (params.beyond_horizon == BeyondHorizon::kNothing) {
+        ASSERT_NEAR(branch.lower[p], expected.rollouts[p], 0.02) << describe(action) << ", " << i;
+      } else {
+        ASSERT_GE(branch.lower[p], expected.rollouts[p] - 0.02) << describe(action) << ", " << i;
+      }
+    }
+    if (!params.bold_rollouts) {
+      ASSERT_EQ(branch.lower[1], std::numeric_limits<float>::lowest());
+    }
+  }
+  EXPECT_GT(compared, 1000) << "too many cases were left to rounding";
+  EXPECT_GT(terminal, GetParam().people > 0 ? 20 : 0) << "nothing ever happened";
+}
+
+// Every action of every scenario, from beliefs of one and of several scenarios.
+TEST_P(CrowdModelTest, ExpandIsStepBitForBit) {
+  Expansion<CrowdModel> out;
+  for (int i = 0; i < 300; ++i) {
+    const RobotState state = scene_.randomState(random_);
+    const int depth = randomDepth();
+    std::vector<int> scenarios(i % 3 == 0 ? 8 : 1);
+    std::iota(scenarios.begin(), scenarios.end(), i % 3 == 0 ? 0 : randomScenario());
+    const int count = static_cast<int>(scenarios.size());
+    model_.expand(&state, scenarios.data(), count, depth, out);
+    ASSERT_EQ(out.actions, model_.legalActions(state));
+    ASSERT_EQ(out.states.size(), out.actions.size());
+    ASSERT_EQ(out.branches.size(), out.actions.size() * scenarios.size());
+    for (size_t a = 0; a < out.actions.size(); ++a) {
+      for (int s = 0; s < count; ++s) {
+        const Branch& branch = out.branches[a * scenarios.size() + s];
+        RobotState next;
+        const Branch twin = model_.step(state, scenarios[s], depth, out.actions[a], next);
+        ASSERT_EQ(std::memcmp(&out.states[a], &next, sizeof(next)), 0);
+        ASSERT_EQ(branch.terminal, twin.terminal);
+        ASSERT_EQ(branch.reward, twin.reward);
+        ASSERT_EQ(branch.observation, twin.observation);
+        if (branch.terminal) continue;
+        ASSERT_EQ(branch.lower, twin.lower);
+        ASSERT_EQ(branch.upper, twin.upper);
+      }
+    }
+  }
+}
+
+TEST_P(CrowdModelTest, AllKernelsAgreeBitForBit) {
+  const auto kernels = laneKernels();
+  ASSERT_FALSE(kernels.empty());
+  EXPECT_EQ(&laneKernel(), kernels.back());
+  const std::vector<int> scenarios{0, 1, 2, 3, 4, 5, 6, 7};
+  Expansion<CrowdModel> expected;
+  Expansion<CrowdModel> out;
+  for (const LaneKernel* kernel : kernels) {
+    const CrowdModel first(GetParam().model, scene_.field(), scene_.futures(), *kernels.front());
+    const CrowdModel other(GetParam().model, scene_.field(), scene_.futures(), *kernel);
+    std::mt19937_64 random(5);
+    for (int i = 0; i < 300; ++i) {
+      const RobotState state = scene_.randomState(random);
+      const int depth = static_cast<int>(random() % scene_.futures().depth());
+      first.expand(&state, scenarios.data(), 8, depth, expected);
+      other.expand(&state, scenarios.data(), 8, depth, out);
+      ASSERT_EQ(out.model_steps, expected.model_steps) << kernel->name;
+      ASSERT_EQ(out.branches.size(), expected.branches.size());
+      ASSERT_EQ(std::memcmp(out.states.data(), expected.states.data(),
+                            out.states.size() * sizeof(RobotState)),
+                0)
+          << kernel->name;
+      for (size_t b = 0; b < out.branches.size(); ++b) {
+        ASSERT_EQ(out.branches[b].reward, expected.branches[b].reward) << kernel->name;
+        ASSERT_EQ(out.branches[b].terminal, expected.branches[b].terminal) << kernel->name;
+        ASSERT_EQ(out.branches[b].lower, expected.branches[b].lower) << kernel->name;
+        ASSERT_EQ(out.branches[b].upper, expected.branches[b].upper) << kernel->name;
+      }
+    }
+  }
+}
+
+TEST_P(CrowdModelTest, CountsEveryStepOfEveryRollOut) {
+  ReferenceModel reference(GetParam().model, scene_.field(), scene_.futures());
+  Expansion<CrowdModel> out;
+  int compared = 0;
+  for (int i = 0; i < 200; ++i) {
+    const RobotState state = scene_.randomState(random_);
+    const int scenario = randomScenario();
+    const int depth = randomDepth();
+    model_.expand(&state, &scenario, 1, depth, out);
+    long steps = 0;
+    double margin = 1.0;
+    for (const Action& action : out.actions) {
+      const auto outcome = reference.step(state.vehicle(), scenario, depth, action);
+      steps += 1 + outcome.rollout_steps;
+      margin = std::min(margin, outcome.margin);
+    }
+    if (margin < 1e-5) continue;
+    ++compared;
+    ASSERT_EQ(out.model_steps, steps);
+  }
+  EXPECT_GT(compared, 50);
+}
+
+TEST_P(CrowdModelTest, RootBoundsAreMeansOverTheScenarios) {
+  ReferenceModel reference(GetParam().model, scene_.field(), scene_.futures());
+  const RobotState state = RobotState::from({Point(5.13, 12.31), 0.2, 0.0});
+  const std::vector<int> scenarios{0, 1, 2, 3, 4, 5, 6, 7};
+  double lower = 0.0;
+  double upper = 0.0;
+  model_.rootBounds(&state, scenarios.data(), 8, lower, upper);
+  const int policies = GetParam().model.bold_rollouts ? 2 : 1;
+  double best = -1e9;
+  for (int policy = 0; policy < policies; ++policy) {
+    double mean = 0.0;
+    for (int k = 0; k < 8; ++k) mean += reference.rollOut(state.vehicle(), k, policy) / 8.0;
+    best = std::max(best, mean);
+  }
+  EXPECT_GE(lower, best - 0.05);
+  if (GetParam().model.beyond_horizon == BeyondHorizon::kNothing) {
+    EXPECT_LE(lower, best + 0.05);
+  }
+  EXPECT_EQ(upper, UpperBound(GetParam().model, scene_.field().goal()).value(state));
+  EXPECT_LE(lower, upper);
+}
+
+TEST_P(CrowdModelTest, DefaultActionIsLegal) {
+  for (int i = 0; i < 300; ++i) {
+    const RobotState state = scene_.randomState(random_);
+    const auto& legal = model_.legalActions(state);
+    const Action action = model_.defaultAction(&state);
+    EXPECT_NE(std::find(legal.begin(), legal.end(), action), legal.end()) << describe(action);
+  }
+}
+
+TEST_P(CrowdModelTest, MoveIsThePartOfAStepWithoutPeople) {
+  for (int i = 0; i < 100; ++i) {
+    const RobotState state = scene_.randomState(random_);
+    for (const Action& action : model_.legalActions(state)) {
+      RobotState next;
+      model_.step(state, 0, 0, action, next);
+      const RobotState moved = model_.move(state, action);
+      EXPECT_EQ(std::memcmp(&moved, &next, sizeof(next)), 0);
+      EXPECT_EQ(moved.speed, model_.speedAfter(state, action));
+    }
+  }
+}
+
+// A roll-out that starts at the horizon has nothing left to pay for.
+TEST_P(CrowdModelTest, RollOutsEndAtTheHorizon) {
+  const bool counts_beyond = GetParam().model.beyond_horizon == BeyondHorizon::kFreeDrive;
+  for (int i = 0; i < 200; ++i) {
+    const RobotState state = scene_.randomState(random_);
+    RobotState next;
+    const Branch branch = model_.step(state, 0, scene_.futures().depth() - 1,
+                                      model_.legalActions(state).front(), next);
+    if (branch.terminal) continue;
+    EXPECT_TRUE(counts_beyond ? branch.lower[0] >= 0.0F : branch.lower[0] == 0.0F);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(EverySetting, CrowdModelTest, testing::ValuesIn(settings()),
+                         [](const auto& test) { return test.param.name; });
+
+// ---- Every reward term, by hand ---------------------------------------------------------------
+
+// The paper's robot on the field with one person who stands still.
+class RewardTest : public testing::Test {
+ protected:
+  Branch stepPastPerson(const Point& person, const VehicleState& robot, const Action& action) {
+    scene_.draw({{1, person, {0.0, 0.0}, 0.0, IntentionBelief(4)}});
+    return step(robot, action);
+  }
+
+  Branch step(const VehicleState& robot, const Action& action) {
+    RobotState next;
+    const Branch branch = model_.step(RobotState::from(robot), 0, 0, action, next);
+    next_ = next;
+    return branch;
+  }
+
+  // Without noise, so that who stands still stays where he is.
+  static ModelParams exactModel() {
+    ModelParams params = paperModel();
+    params.pedestrian_noise = 0.0;
+    return params;
+  }
+
+  static constexpr double kNorth = M_PI / 2.0;
+  const Point far_away_{39.0, 1.0};
+  CrowdScene scene_{exactModel(), {0, 1, true, 1}};
+  CrowdModel model_{exactModel(), scene_.field(), scene_.futures()};
+  RobotState next_;
+};
+
+TEST_F(RewardTest, TimeAndLowSpeedAreChargedBySpeedAtTheStart) {
+  const Action on = Action::turnBy(0.0, 0);
+  EXPECT_FLOAT_EQ(stepPastPerson(far_away_, {{4.0, 4.0}, 0.0, 2.0}, on).reward, -1.0F);
+  EXPECT_FLOAT_EQ(stepPastPerson(far_away_, {{4.0, 4.0}, 0.0, 1.0}, on).reward, -1.5F);
+  EXPECT_FLOAT_EQ(stepPastPerson(far_away_, {{4.0, 4.0}, 0.0, 0.0}, on).reward, -2.0F);
+  const Action faster = Action::turnBy(0.0, 1);
+  EXPECT_FLOAT_EQ(stepPastPerson(far_away_, {{4.0, 4.0}, 0.0, 0.0}, faster).reward, -2.0F);
+  EXPECT_FLOAT_EQ(next_.x, 5.0F) << "the new speed holds from the start of the step";
+}
+
+TEST_F(RewardTest, SuddenBrakeCostsAndStops) {
+  const Branch branch = stepPastPerson(far_away_, {{4.0, 4.0}, 0.0, 2.0}, Action::suddenBrake());
+  EXPECT_FLOAT_EQ(branch.reward, -11.0F);
+  EXPECT_FALSE(branch.terminal);
+  EXPECT_EQ(next_.speed, 0.0F);
+  EXPECT_FLOAT_EQ(next_.x, 4.0F);
+}
+
+TEST_F(RewardTest, TheGoalIsPaidInTheStepAfterArrival) {
+  const Point goal = scene_.field().goal();
+  const Branch arrives =
+      stepPastPerson(far_away_, {goal - Point(1.5, 0.0), 0.0, 2.0}, Action::followPrior(0));
+  EXPECT_FLOAT_EQ(arrives.reward, -1.0F);
+  EXPECT_FALSE(arrives.terminal);
+  EXPECT_NEAR(next_.x, goal.x(), 1e-5) << "the step along the prior ends on the goal";
+  const Branch after =
+      stepPastPerson(far_away_, {goal - Point(0.9, 0.0), 0.0, 1.0}, Action::turnBy(0.0, 0));
+  EXPECT_FLOAT_EQ(after.reward, 1000.0F - 1.5F);
+  EXPECT_TRUE(after.terminal);
+  const Branch short_of_it =
+      stepPastPerson(far_away_, {goal - Point(1.1, 0.0), 0.0, 1.0}, Action::turnBy(0.0, 0));
+  EXPECT_FALSE(short_of_it.terminal);
+}
+
+TEST_F(RewardTest, AtTheGoalNobodyIsInTheWay) {
+  const Point goal = scene_.field().goal();
+  const Branch branch = stepPastPerson(goal, {goal, 0.0, 2.0}, Action::turnBy(0.0, 0));
+  EXPECT_FLOAT_EQ(branch.reward, 1000.0F - 1.0F);
+}
+
+TEST_F(RewardTest, LeavingTheFieldIsAnObstacle) {
+  const Branch branch = stepPastPerson(far_away_, {{0.5, 4.0}, M_PI, 1.0}, Action::turnBy(0.0, 0));
+  EXPECT_FLOAT_EQ(branch.reward, -100.0F - 1.5F);
+  EXPECT_TRUE(branch.terminal);
+  const Branch stays = stepPastPerson(far_away_, {{0.5, 4.0}, M_PI, 0.0}, Action::turnBy(0.0, 0));
+  EXPECT_FALSE(stays.terminal);
+}
+
+// Driving 2 m east from (10, 4): a person 2 m or less off at the start, half way, or at the end.
+TEST_F(RewardTest, PeopleAreMetAtTheStartHalfWayAndAtTheEnd) {
+  const VehicleState robot{{10.0, 4.0}, 0.0, 2.0};
+  const Action on = Action::turnBy(0.0, 0);
+  const auto collides = [&](const Point& person) {
+    const Branch branch = stepPastPerson(person, robot, on);
+    EXPECT_FLOAT_EQ(branch.reward, branch.terminal ? -101.0F : -1.0F);
+    return branch.terminal;
+  };
+  EXPECT_TRUE(collides({8.05, 4.0})) << "1.95 m behind at the start";
+  EXPECT_FALSE(collides({7.95, 4.0})) << "2.05 m behind at the start";
+  EXPECT_TRUE(collides({11.0, 5.95})) << "1.95 m abeam half way, 2.19 m before and after";
+  EXPECT_FALSE(collides({11.0, 6.05})) << "2.05 m abeam half way";
+  EXPECT_TRUE(collides({13.95, 4.0})) << "1.95 m ahead at the end";
+  EXPECT_FALSE(collides({14.05, 4.0})) << "2.05 m ahead at the end";
+}
+
+TEST_F(RewardTest, WalkersAreMetWhereTheyWillBe) {
+  // Walks from (16, 4) toward (0, 0) and ends nearly 1 m nearer; the robot ends on (12, 4).
+  scene_.draw({{1, {14.9, 4.0}, {0.0, 0.0}, 1.0, IntentionBelief(4)}});
+  const auto* end = scene_.futures().at(0, 1);
+  const double distance = (Point(end->x, end->y) - Point(12.0, 4.0)).norm();
+  const Branch branch = step({{10.0, 4.0}, 0.0, 2.0}, Action::turnBy(0.0, 0));
+  EXPECT_EQ(branch.terminal, distance <= 2.0);
+}
+
+TEST_F(RewardTest, AStandingRobotIsNotToBlame) {
+  const Point close(10.5, 4.0);
+  EXPECT_FALSE(stepPastPerson(close, {{10.0, 4.0}, 0.0, 0.0}, Action::turnBy(0.0, 0)).terminal);
+  EXPECT_TRUE(stepPastPerson(close, {{10.0, 4.0}, 0.0, 0.0}, Action::turnBy(0.0, 1)).terminal)
+      << "driving off next to somebody";
+  EXPECT_TRUE(stepPastPerson(close, {{10.0, 4.0}, 0.0, 1.0}, Action::suddenBrake()).terminal)
+      << "whatever the action";
+  EXPECT_FALSE(stepPastPerson({12.5, 4.0}, {{10.0, 4.0}, 0.0, 2.0}, Action::suddenBrake()).terminal)
+      << "an instant base stops at once";
+}
+
+TEST_F(RewardTest, ObstaclesAreMetAtTheirClearance) {
+  // The circle at (12, 15) has a radius of 2 m; the robot keeps 3 m from its surface.
+  const Action on = Action::turnBy(0.0, 0);
+  const Branch hits = stepPastPerson(far_away_, {{12.0, 8.5}, kNorth, 2.0}, on);
+  EXPECT_FLOAT_EQ(hits.reward, -101.0F);
+  EXPECT_TRUE(hits.terminal);
+  EXPECT_FALSE(stepPastPerson(far_away_, {{12.0, 7.5}, kNorth, 2.0}, on).terminal);
+}
+
+TEST_F(RewardTest, WhoIsInsideTheMarginMayLeaveIt) {
+  const Action on = Action::turnBy(0.0, 0);
+  EXPECT_FALSE(stepPastPerson(far_away_, {{12.0, 11.0}, -kNorth, 1.0}, on).terminal) << "out";
+  EXPECT_TRUE(stepPastPerson(far_away_, {{12.0, 11.0}, kNorth, 1.0}, on).terminal) << "in";
+  EXPECT_FALSE(stepPastPerson(far_away_, {{12.0, 11.0}, kNorth, 0.0}, on).terminal) << "stay";
+}
+
+TEST_F(RewardTest, TheFirstCauseCounts) {
+  ModelParams params = exactModel();
+  params.reward.pedestrian = -70.0;
+  params.reward.obstacle = -30.0;
+  const CrowdModel model(params, scene_.field(), scene_.futures());
+  const Action on = Action::turnBy(0.0, 0);
+  RobotState next;
+  const auto reward = [&](const Point& person, const VehicleState& robot) {
+    scene_.draw({{1, person, {0.0, 0.0}, 0.0, IntentionBelief(4)}});
+    return model.step(RobotState::from(robot), 0, 0, on, next).reward;
+  };
+  EXPECT_FLOAT_EQ(reward({12.0, 9.5}, {{12.0, 8.5}, kNorth, 2.0}), -71.0F)
+      << "a person before an obstacle";
+  EXPECT_FLOAT_EQ(reward({0.5, 4.0}, {{0.5, 4.0}, M_PI, 2.0}), -31.0F)
+      << "the border before a person";
+}
+
+TEST(CrowdModel, ADecisionPeriodScalesTheCosts) {
+  ModelParams params = rampedModel();
+  const CrowdScene scene(params, {0, 1, false, 1});
+  const CrowdModel model(params, scene.field(), scene.futures());
+  RobotState next;
+  const Branch branch =
+      model.step(RobotState::from({{5.0, 5.0}, 0.0, 0.75}), 0, 0, Action::turnBy(0.0, 1), next);
+  EXPECT_FLOAT_EQ(branch.reward, 0.5F * (-1.0F - 0.5F));
+  EXPECT_FLOAT_EQ(next.speed, 1.25F);
+  EXPECT_FLOAT_EQ(next.x, 5.0F + 0.5F * 1.0F) << "the mean of both speeds";
+}
+
+TEST(CrowdModel, FreeDriveValuesWhatLiesBeyondTheHorizon) {
+  ModelParams nothing = rampedModel();
+  nothing.horizon = 4.0;
+  ModelParams free_drive = nothing;
+  free_drive.beyond_horizon = BeyondHorizon::kFreeDrive;
+  const CrowdScene scene(nothing, {3, 4, true, 2});
+  const CrowdModel without(nothing, scene.field(), scene.futures());
+  const CrowdModel with(free_drive, scene.field(), scene.futures());
+  std::mt19937_64 random(3);
+  int more = 0;
+  for (int i = 0; i < 500; ++i) {
+    const RobotState state = scene.randomState(random);
+    RobotState next;
+    const Action action = with.legalActions(state).front();
+    const Branch plain = without.step(state, 0, 0, action, next);
+    const Branch branch = with.step(state, 0, 0, action, next);
+    if (branch.terminal) continue;
+    for (int p = 0; p < 2; ++p) {
+      EXPECT_GE(branch.lower[p], plain.lower[p]);
+      EXPECT_LE(branch.lower[p], branch.upper + 0.05F);
+    }
+    more += branch.lower[0] > plain.lower[0] + 1.0F ? 1 : 0;
+  }
+  EXPECT_GT(more, 250);
+}
+
+TEST(CrowdModel, RejectsParametersOutOfRange) {
+  const CrowdScene scene(paperModel(), {0, 1, false, 1});
+  ModelParams params = paperModel();
+  params.step = 0.0;
+  EXPECT_THROW(CrowdModel(params, scene.field(), scene.futures()), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace pomdp_crowd_nav
