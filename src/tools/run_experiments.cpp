@@ -131,9 +131,11 @@ int main(int argc, char** argv) {
   CLI::App app{"Drives episodes without ROS and writes one CSV row for each."};
   Options options;
   addOptions(app, options);
-  CLI11_PARSE(app, argc, argv);
   try {
+    app.parse(argc, argv);
     run(options);
+  } catch (const CLI::CallForHelp& help) {
+    return app.exit(help);
   } catch (const std::exception& error) {
     fmt::print(stderr, "run_experiments: {}\n", error.what());
     return 2;

@@ -15,6 +15,8 @@
 namespace pomdp_crowd_nav {
 namespace {
 
+constexpr double kProgressPeriod = 5.0;  // [s] of wall clock
+
 struct Options {
   std::string world_file;
   std::string x, y;  // [m], empty: the world's goal
@@ -48,10 +50,10 @@ move_base_msgs::MoveBaseGoal toActionGoal(const Point& goal, const std::string& 
   return message;
 }
 
-// Sends a goal, waits for the end of the trip and says how it went.
+// Sends a goal, waits for the end of the trip, says how far it is and how it went.
 class GoalSender {
  public:
-  GoalSender() : client_("move_base", true) {
+  GoalSender() : client_("move_base", false) {
     metrics_subscriber_ = node_.subscribe("sim_metrics", 10, &GoalSender::onMetrics, this);
     status_subscriber_ = node_.subscribe("planner_status", 10, &GoalSender::onStatus, this);
   }
@@ -62,7 +64,12 @@ class GoalSender {
     while (!client_.isServerConnected()) {
       if (!pauseUntil(give_up)) return fail(ros::ok() ? "no planner answers" : "interrupted");
     }
-    client_.sendGoal(toActionGoal(goal, options.frame));
+    sent_ = ros::Time::now();
+    client_.sendGoal(toActionGoal(goal, options.frame), {}, {},
+                     [&](const move_base_msgs::MoveBaseFeedbackConstPtr& feedback) {
+                       const geometry_msgs::PoseStamped& base = feedback->base_position;
+                       if (base.header.frame_id == options.frame) showProgress(base, goal);
+                     });
     while (!client_.getState().isDone()) {
       if (!pauseUntil(give_up)) break;
     }
@@ -76,6 +83,17 @@ class GoalSender {
  private:
   void onMetrics(const EpisodeMetricsMessage& metrics) { metrics_ = metrics; }
   void onStatus(const PlannerStatus& status) { status_ = status; }
+
+  void showProgress(const geometry_msgs::PoseStamped& base, const Point& goal) {
+    const ros::WallTime now = ros::WallTime::now();
+    if (now < next_progress_) return;
+    next_progress_ = now + ros::WallDuration(kProgressPeriod);
+    const geometry_msgs::Point& here = base.pose.position;
+    std::cerr << fmt::format("send_goal: {:.0f} s, {:.1f} m to the goal",
+                             (base.header.stamp - sent_).toSec(),
+                             std::hypot(goal.x() - here.x, goal.y() - here.y))
+              << std::endl;
+  }
 
   bool fail(const std::string& reason) {
     std::cerr << "send_goal: " << reason << std::endl;
@@ -110,6 +128,8 @@ class GoalSender {
   ros::Subscriber metrics_subscriber_, status_subscriber_;
   std::optional<EpisodeMetricsMessage> metrics_;
   std::optional<PlannerStatus> status_;
+  ros::Time sent_;
+  ros::WallTime next_progress_;
 };
 
 }  // namespace
