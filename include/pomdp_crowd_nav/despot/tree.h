@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -47,7 +48,7 @@ struct Tree {
 
   // Room for a tree of `count` beliefs: a vector that moved while it grows would hold up a search
   // for longer than its margin. Pages that are never used cost nothing.
-  void reserve(size_t count) {
+  void reserve(std::size_t count) {
     beliefs.reserve(count);
     action_nodes.reserve(count);
     actions.reserve(count);
