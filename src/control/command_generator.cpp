@@ -39,13 +39,18 @@ void CommandGenerator::follow(const StepMotion& motion, double start_time) {
 
 void CommandGenerator::stop() { motion_.reset(); }
 
+// Also long before the motion begins: then the clock jumped back, and its times mean nothing.
 bool CommandGenerator::isStopping(double now) const {
-  return !motion_ || now > start_time_ + motion_->duration + params_.hold_time;
+  if (!motion_) return true;
+  const double begin = start_time_ - motion_->duration;
+  const double end = start_time_ + motion_->duration + params_.hold_time;
+  return !(now >= begin && now <= end);
 }
 
 BaseCommand CommandGenerator::commandAt(double now, double yaw, const Point& velocity) {
-  const double period = std::clamp(now - last_time_, 0.0, kLongestPeriod);
-  last_time_ = now;
+  const bool has_time = std::isfinite(now);
+  const double period = has_time ? std::clamp(now - last_time_, 0.0, kLongestPeriod) : 0.0;
+  if (has_time) last_time_ = now;
   Point target(0.0, 0.0);
   double desired_yaw = yaw;
   if (isStopping(now)) {
