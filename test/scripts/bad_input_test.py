@@ -1,0 +1,166 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Bad input ends a program at once: one line on standard error, exit status 2.
+
+Run by rostest, which starts the master that the nodes need.
+"""
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+import rosgraph
+import roslib.packages
+import rosunit
+
+PACKAGE = "pomdp_crowd_nav"
+SHARE = pathlib.Path(__file__).resolve().parents[2]
+WORLD = f"{SHARE}/config/worlds/scenario_1.yaml"
+TRACKS_HEADER = "time_s,ped_id,x_m,y_m\n"
+
+
+class BadInputTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def write(self, name, text):
+        path = self.folder / name
+        path.write_text(text)
+        return str(path)
+
+    def run_program(self, name, *args):
+        program = roslib.packages.find_node(PACKAGE, name)[0]
+        return subprocess.run([program, *args], cwd=self.folder, stdin=subprocess.DEVNULL,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                              timeout=30, check=False)
+
+    def expect_refusal(self, name, args, *words):
+        result = self.run_program(name, *args)
+        self.assertEqual(result.returncode, 2, result.stderr)
+        lines = result.stderr.splitlines()
+        self.assertEqual(len(lines), 1, result.stderr)
+        self.assertTrue(lines[0].startswith(name + ": "), lines[0])
+        for word in words:
+            self.assertIn(word, lines[0])
+
+    # A node reads the parameters of its own name.
+    def expect_node_refusal(self, node, params, *words):
+        master = rosgraph.Master(self.id())
+        name = f"/{node}_{self._testMethodName}"
+        for key, value in params.items():
+            master.setParam(f"{name}/{key}", value)
+        self.addCleanup(master.deleteParam, name)
+        self.expect_refusal(node, [f"__name:={name[1:]}"], *words)
+
+
+class RunExperimentsTest(BadInputTest):
+    def expect(self, args, *words):
+        self.expect_refusal("run_experiments", ["--config", f"{SHARE}/config", *args], *words)
+
+    def test_unknown_world(self):
+        self.expect(["--worlds", "atlantis"], "atlantis")
+
+    def test_unknown_profile(self):
+        self.expect(["--profile", "atlantis"], "atlantis")
+
+    def test_unknown_planner(self):
+        self.expect(["--planners", "3d_magic"], "3d_magic", "2d_fmm")
+
+    def test_negative_pedestrians(self):
+        self.expect(["--pedestrians", "-3"], "pedestrians", "-3")
+
+    def test_number_that_is_none(self):
+        self.expect(["--seed", "many"], "--seed", "many")
+
+    def test_runs_out_of_range(self):
+        self.expect(["--runs", "0"], "--runs", "0")
+
+    def test_unknown_option(self):
+        self.expect(["--pedestrian", "3"], "--pedestrian")
+
+    def test_misspelt_key_of_a_profile(self):
+        text = (SHARE / "config/profiles/paper.yaml").read_text()
+        path = self.write("misspelt.yaml", text + "\nsaerch_time: 1.0\n")
+        self.expect(["--profile", path], "saerch_time")
+
+    def test_misspelt_key_of_a_world(self):
+        text = pathlib.Path(WORLD).read_text()
+        path = self.write("misspelt.yaml", text + "\ngaol: [1.0, 2.0]\n")
+        self.expect(["--worlds", path], "gaol")
+
+    def test_world_that_is_no_yaml(self):
+        path = self.write("broken.yaml", "bounds: {min: [0.0\n")
+        self.expect(["--worlds", path], "broken.yaml")
+
+    def test_missing_tracks_file(self):
+        self.expect(["--worlds", "ucy_zara01", "--tracks", "nowhere.csv"], "nowhere.csv")
+
+    def test_text_in_a_number_column(self):
+        path = self.write("tracks.csv", TRACKS_HEADER + "0.0,1,2.0,3.0\n0.4,1,left,3.0\n")
+        self.expect(["--worlds", "ucy_zara01", "--tracks", path], "tracks.csv:3", "x_m", "left")
+
+    def test_output_that_cannot_be_written(self):
+        self.expect(["--output", "nowhere/results.csv"], "nowhere/results.csv")
+
+    def test_help_is_no_error(self):
+        self.assertEqual(self.run_program("run_experiments", "--help").returncode, 0)
+
+
+class SendGoalTest(BadInputTest):
+    def test_no_goal(self):
+        self.expect_refusal("send_goal", [], "--x")
+
+    def test_coordinate_that_is_none(self):
+        self.expect_refusal("send_goal", ["--x", "east", "--y", "1"], "--x", "east")
+
+    def test_unknown_option(self):
+        self.expect_refusal("send_goal", ["--z", "1"], "--z")
+
+
+class NodesTest(BadInputTest):
+    def test_sim_node_without_a_world_of_that_name(self):
+        self.expect_node_refusal("sim_node", {"world_file": "atlantis.yaml"}, "atlantis.yaml")
+
+    def test_sim_node_with_negative_pedestrians(self):
+        self.expect_node_refusal("sim_node", {"world_file": WORLD, "pedestrians": -3},
+                                 "pedestrians", "-3")
+
+    def test_sim_node_with_a_text_for_a_number(self):
+        self.expect_node_refusal("sim_node", {"world_file": WORLD, "pedestrians": "many"},
+                                 "pedestrians")
+
+    def test_sim_node_with_a_text_in_a_number_column(self):
+        path = self.write("tracks.csv", TRACKS_HEADER + "0.0,1,2.0,north\n")
+        self.expect_node_refusal(
+            "sim_node",
+            {"world_file": f"{SHARE}/config/worlds/ucy_zara01.yaml", "tracks_file": path},
+            "tracks.csv:2", "y_m", "north")
+
+    def test_sim_node_with_a_misspelt_key(self):
+        self.expect_node_refusal("sim_node", {"world_file": WORLD, "pedestrain": 3}, "pedestrain")
+
+    def test_planner_node_with_a_misspelt_key(self):
+        self.expect_node_refusal("planner_node", {"world_file": WORLD, "saerch_time": 1.0},
+                                 "saerch_time")
+
+    def test_planner_node_with_an_unknown_planner(self):
+        self.expect_node_refusal("planner_node", {"world_file": WORLD, "planner": "3d_magic"},
+                                 "3d_magic", "2d_fmm")
+
+    def test_planner_node_without_a_world_of_that_name(self):
+        self.expect_node_refusal("planner_node", {"world_file": "atlantis.yaml"}, "atlantis.yaml")
+
+    def test_roslaunch_shows_the_reason_and_ends(self):
+        result = subprocess.run(
+            ["roslaunch", PACKAGE, "simulation.launch", "world:=atlantis", "rviz:=false"],
+            stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+            timeout=60, check=False, env={**os.environ, "PATH": "/usr/bin:" + os.environ["PATH"]})
+        self.assertRegex(result.stdout, r"(?m)^sim_node: .*atlantis")
+        self.assertIn("exit code 2", result.stdout)
+
+
+if __name__ == "__main__":
+    rosunit.unitrun(PACKAGE, "bad_input", "__main__")
