@@ -42,7 +42,9 @@ Decision ExtendedSpacePlanner::decide(const Situation& situation, const SearchLi
   futures_.draw({params_.search.scenarios, params_.model.depth(), params_.model.step, bounds_},
                 people, destinations_, pedestrian_model_, noise);
 
-  const RobotState root = RobotState::from(situation.vehicle);
+  RobotState root = RobotState::from(situation.vehicle);
+  // Odometry may report more than the limit, for which R_speed would be a reward.
+  root.speed = std::min(root.speed, model_.constants().max_speed);
   const SearchResult<Action> result = search_.run(model_, {root}, limit);
 
   Decision decision;

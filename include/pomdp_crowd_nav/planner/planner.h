@@ -62,7 +62,8 @@ class Planner {
  public:
   virtual ~Planner() = default;
 
-  // Ends by the limit's deadline; the same situation, seed and trial limit give the same decision.
+  // Ends by the limit's deadline. A planner with the same seed that meets the same situations under
+  // the same trial limits takes the same decisions; each of them samples new futures.
   virtual Decision decide(const Situation& situation, const SearchLimit& limit) = 0;
 
   // The tree of the last decision, the beliefs with most scenarios first.

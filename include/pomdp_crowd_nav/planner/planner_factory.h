@@ -21,7 +21,7 @@ struct Task {
 std::vector<std::string> plannerNames();
 
 // Throws std::invalid_argument for an unknown name (listing the known), a parameter out of range,
-// and a goal that is off the map or too close to an obstacle.
+// and a goal that is off the map or inside an obstacle.
 std::unique_ptr<Planner> makePlanner(const std::string& name, const Task& task,
                                      const PlannerParams& params);
 
