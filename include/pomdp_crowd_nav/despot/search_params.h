@@ -14,7 +14,7 @@ struct SearchParams {
   double discount = 0.97;        // gamma, per step
   double regularization = 0.01;  // lambda, cost of one node of the policy tree
   double target_gap = 0.95;      // xi, share of the root gap a trial tries to keep
-  int max_nodes = 1'000'000;     // belief nodes; the search stops before it grows past this
+  int max_nodes = 1'000'000;     // belief nodes; a tree this large is not expanded further
 };
 
 // Throws std::invalid_argument naming the first field that is out of range.
