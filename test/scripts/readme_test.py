@@ -1,0 +1,141 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Compares what README.md says with the code: readme_test.py SOURCE_FOLDER
+
+Parameters with their nodes and defaults, keys of worlds and profiles, options and columns of the
+tools, arguments of the launch file, relative links. Prints a line for each difference; exit status
+1 when there is any.
+"""
+import pathlib
+import re
+import sys
+
+import yaml
+
+KEY = re.compile(r'(?:reader_?\.read\(|readChoice\(reader, |(?:numbers|point)\()"([^"]+)"'
+                 r'(?:, ([\w.>-]+))?')
+problems = []
+
+
+def compare(what, in_readme, in_code):
+    problems.extend(f"{what}: '{x}' is not in the README" for x in sorted(in_code - in_readme))
+    problems.extend(f"{what}: '{x}' is in the README only" for x in sorted(in_readme - in_code))
+
+
+def require(what, words, text):
+    problems.extend(f"{what}: `{word}` is not in the README" for word in words
+                    if f"`{word}`" not in text)
+
+
+def tables_of(text):
+    """Rows of the tables of each section, as {heading: {key: [other cells]}}."""
+    tables, heading = {}, None
+    for line in text.splitlines():
+        if line.startswith("#"):
+            heading = line.lstrip("# ")
+        match = re.match(r"\| `([^`]+)` \|(.*)\|$", line)
+        if match:
+            cells = [cell.strip() for cell in match[2].split("|")]
+            tables.setdefault(heading, {})[match[1]] = cells
+    return tables
+
+
+def keys_of(source):
+    """{key: name of the field that it is read into}"""
+    return {key: re.split(r"\.|->", field)[-1] for key, field in KEY.findall(source)}
+
+
+def leaves_of(node, prefix=""):
+    for key, value in node.items():
+        if isinstance(value, dict):
+            yield from leaves_of(value, f"{prefix}{key}/")
+        else:
+            yield prefix + key
+
+
+def normal(value):
+    """A default as the README writes it."""
+    value = value.strip().strip('"').replace("'", "").replace("M_PI", "pi")
+    if "::k" in value:  # an enumerator: kFreeDrive is free_drive
+        value = re.sub(r"(?<!^)(?=[A-Z])", "_", value.split("::k")[-1]).lower()
+    try:
+        return float(value)
+    except ValueError:
+        return value
+
+
+def check_defaults(rows, keys, default_cell, headers):
+    for key, field in keys.items():
+        if key not in rows or field == "frequency":  # the inverse of the step
+            continue
+        declared = re.findall(rf"\b{field} = ([^;,]+);", headers)
+        said = normal(rows[key][default_cell])
+        if declared and said not in map(normal, declared):
+            problems.append(f"default of {key}: {said} in the README, {declared} in the headers")
+
+
+def check_parameters(root, tables):
+    headers = "\n".join(path.read_text() for path in (root / "include").rglob("*.h"))
+    load = (root / "src/params/load_params.cpp").read_text()
+    navigation, simulator = load.split("Simulator::Params loadSimulatorParams")
+    profile = tables.get("Of a profile", {})
+    profile_sim = tables.get("Of a profile, for the simulator", {})
+    compare("parameter of a profile", set(profile), set(keys_of(navigation)))
+    compare("parameter of the simulator", set(profile_sim), set(keys_of(simulator)))
+    check_defaults(profile, keys_of(navigation), 1, headers)
+    check_defaults(profile_sim, keys_of(simulator), 1, headers)
+
+    nodes = (root / "src/ros/node_params.cpp").read_text()
+    frames, rest = nodes.split("void requireKnownPlanner")
+    library, rest = rest.split("PlannerNodeParams loadPlannerNodeParams")
+    planner, sim = rest.split("SimNodeParams loadSimNodeParams")
+    expected = {key: "both" for key in keys_of(frames)}
+    for name, source in (("planner_node", library + planner), ("sim_node", sim)):
+        for key in keys_of(source):
+            expected[key] = name if key not in expected else "both"
+    rows = tables.get("Of the nodes", {})
+    compare("parameter of a node", {(k, cells[0]) for k, cells in rows.items()},
+            set(expected.items()))
+    check_defaults(rows, {k: f for k, f in keys_of(nodes).items() if k != "destinations"}, 2,
+                   headers)
+
+    for path in sorted((root / "config/profiles").glob("*.yaml")):
+        unknown = set(leaves_of(yaml.safe_load(path.read_text()))) - set(profile) - set(profile_sim)
+        problems.extend(f"{path.name}: '{key}' is not in the README" for key in sorted(unknown))
+    world = keys_of((root / "src/sim/world_file.cpp").read_text())
+    compare("key of a world", set(tables.get("World file", {})), set(world) | {"polygons"})
+
+
+def check_tools(root, text):
+    for path in sorted((root / "src/tools").glob("*.cpp")):
+        source = path.read_text()
+        require(path.name, re.findall(r'add_option\(\s*"(--[\w-]+)"', source), text)
+    columns = re.search(r"csvHeader\(\) \{(.*?)\}",
+                        (root / "src/evaluation/experiment.cpp").read_text(), re.S)[1]
+    require("results.csv", "".join(re.findall(r'"([^"]*)"', columns)).split(","), text)
+    launch = (root / "launch/simulation.launch").read_text()
+    require("simulation.launch", re.findall(r'<arg name="(\w+)"\s+default=', launch), text)
+    demo = (root / "scripts/demo.sh").read_text()
+    options = re.search(r"<<'END'\n(.*?)\nEND", demo, re.S)[1]
+    require("demo.sh", set(re.findall(r"(--[a-z-]+)", options)) - {"--help"}, text)
+
+
+def check_links(root):
+    for path in [*root.glob("*.md"), *(root / "doc").glob("*.md")]:
+        for link in re.findall(r"\]\(([^)#]+)[^)]*\)", path.read_text()):
+            if "://" not in link and not (path.parent / link).exists():
+                problems.append(f"{path.name}: the link {link} leads nowhere")
+
+
+def main():
+    root = pathlib.Path(sys.argv[1])
+    text = (root / "README.md").read_text()
+    check_parameters(root, tables_of(text))
+    check_tools(root, text)
+    check_links(root)
+    print("\n".join(problems) or "README.md and the code agree")
+    return 1 if problems else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
