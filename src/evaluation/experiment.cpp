@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <mutex>
@@ -85,7 +86,7 @@ void runTrials(const std::vector<Trial>& trials, int jobs, const TrialRunner& ru
                const ResultSink& sink) {
   Queue queue(trials, sink);
   std::vector<std::thread> workers;
-  for (int i = 0; i < jobs; ++i) {
+  for (int i = 0; i < std::max(1, jobs); ++i) {
     workers.emplace_back([&] { work(queue, trials, runner); });
   }
   for (std::thread& worker : workers) worker.join();
