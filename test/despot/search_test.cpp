@@ -231,6 +231,27 @@ TEST(Search, WithoutATrialTheRootIsExpandedOnce) {
   EXPECT_NE(result.action, Corridor::kBack) << "not legal in the first cell";
 }
 
+// Lower bounds are what a policy is known to earn.
+TEST(Search, TakesTheActionOfTheBestLowerBound) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    Corridor::Params corridor;
+    corridor.seed = seed;
+    Search<Corridor> search(paramsFor(20, 5, 0.9));
+    for (long trials = 0; trials < 20; ++trials) {
+      const auto result = search.run(Corridor(corridor), {{1}}, SearchLimit::trials(trials));
+      const auto& tree = search.tree();
+      const BeliefNode& root = tree.beliefs[0];
+      float best = -1e9F;
+      float taken = 0.0F;
+      for (int a = root.first_action; a < root.first_action + root.action_count; ++a) {
+        best = std::max(best, tree.action_nodes[a].lower);
+        if (tree.actions[a] == result.action) taken = tree.action_nodes[a].lower;
+      }
+      ASSERT_EQ(taken, best) << "seed " << seed << ", trial " << trials;
+    }
+  }
+}
+
 TEST(Search, WithoutDepthTheDefaultActionIsTaken) {
   Search<Corridor> search(paramsFor(20, 0, 0.9));
   const auto result = search.run(Corridor(Corridor::Params()), {{0}}, SearchLimit::trials(kEnough));

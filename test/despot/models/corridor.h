@@ -30,6 +30,7 @@ class Corridor {
     int horizon = 5;
     bool has_second_policy = true;
     float upper = kArrival;          // what the leaves claim as their bound
+    float looser_by = 0.0F;          // more that they claim for each step of depth
     bool pays_after_arrival = true;  // the reward comes with the step after arrival, and ends it
     std::uint64_t seed = 1;
   };
@@ -60,7 +61,9 @@ class Corridor {
   void bound(const State& state, int scenario, int depth, Branch& branch) const {
     branch.lower[0] = rollOut(state, scenario, depth, kStay);
     if (params_.has_second_policy) branch.lower[1] = rollOut(state, scenario, depth, kForward);
-    branch.upper = depth < params_.horizon ? params_.upper : 0.0F;
+    branch.upper = depth < params_.horizon
+                       ? params_.upper + params_.looser_by * static_cast<float>(depth)
+                       : 0.0F;
   }
 
   void expand(const State* states, const int* scenarios, int count, int depth,
