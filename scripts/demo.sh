@@ -128,6 +128,7 @@ finish() {
   trap '' INT TERM
   stop_heartbeat
   stop_processes
+  ((status < 128)) || [[ -z $run_dir ]] || rm -rf "$run_dir"
   exit "$status"
 }
 
@@ -161,18 +162,15 @@ show_progress() {
   wait "$roslaunch_pid" || true
 }
 
-# A node that refuses its configuration says why in one line of its own.
-report_failure() {
-  local reason
-  reason=$(grep -m 1 -E '^(sim_node|planner_node): ' "$log") && die 2 "$reason"
-  say "--- the last lines of $log:"
-  tail -n 30 "$log" >&2
-  die 1 "the trip did not come to its end"
-}
-
 report_trip() {
-  local summary
-  summary=$(grep '^goal_reached=' "$log" | tail -n 1) || report_failure
+  local reason summary
+  # A node that refuses its configuration says why in one line of its own.
+  ! reason=$(grep -m 1 -E '^(sim_node|planner_node): ' "$log") || die 2 "$reason"
+  if ! summary=$(grep '^goal_reached=' "$log" | tail -n 1); then
+    say "--- the last lines of $log:"
+    tail -n 30 "$log" >&2
+    die 1 "the trip did not come to its end"
+  fi
   if ! [[ $summary =~ goal_reached=true\ .*unsafe_steps=0\  ]]; then
     sed -n '/ to the goal$/d; s/^send_goal: /demo.sh: the trip ended: /p' "$log" >&2
     say "demo.sh: the log is $log"
