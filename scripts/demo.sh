@@ -128,7 +128,7 @@ finish() {
   trap '' INT TERM
   stop_heartbeat
   stop_processes
-  ((status < 128)) || [[ -z $run_dir ]] || rm -rf "$run_dir"
+  ((status == 1)) || [[ -z $run_dir ]] || rm -rf "$run_dir" # its log is of use then alone
   exit "$status"
 }
 
