@@ -5,6 +5,7 @@
 
 #include <cstring>
 #include <numeric>
+#include <ostream>
 #include <string>
 
 #include "crowd_scene.h"
@@ -19,6 +20,8 @@ struct Setting {
   bool obstacles = false;
   int people = 6;
 };
+
+void PrintTo(const Setting& setting, std::ostream* out) { *out << setting.name; }
 
 std::vector<Setting> settings() {
   ModelParams timid = paperModel();

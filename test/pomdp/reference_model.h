@@ -138,7 +138,7 @@ class ReferenceModel {
     const Point to_goal = field_.goal() - robot.position;
     Point half_way = moved(0.5 * p_.step);
     Point whole_way = moved(p_.step);
-    if (stops_at_goal && atMost(to_goal.norm(), whole_way.norm())) {
+    if (stops_at_goal && p_.vehicle.instant_velocity && atMost(to_goal.norm(), whole_way.norm())) {
       half_way = 0.5 * to_goal;
       whole_way = to_goal;
     }
@@ -187,7 +187,9 @@ class ReferenceModel {
     const bool at_start = atMost(nearest(moment.robot.position, moment, 0.0), clearance);
     const bool half_way = atMost(nearest(middle, moment, 0.5), clearance);
     const bool at_end = atMost(nearest(end, moment, 1.0), clearance);
-    return ((moved || moves_on) && at_start) || (moves_on && (half_way || at_end));
+    const bool brakes = moved && !p_.vehicle.instant_velocity;  // moves until it rests
+    return ((moved || moves_on) && at_start) || (moves_on && (half_way || at_end)) ||
+           (brakes && half_way);
   }
 
   // Who is inside the margin already may leave it.

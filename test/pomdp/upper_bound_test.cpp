@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <ostream>
 #include <string>
 
 #include "crowd_scene.h"
@@ -63,6 +64,8 @@ struct Setting {
   std::string name;
   ModelParams model;
 };
+
+void PrintTo(const Setting& setting, std::ostream* out) { *out << setting.name; }
 
 std::vector<Setting> settings() {
   std::vector<Setting> all;
