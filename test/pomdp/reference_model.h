@@ -138,7 +138,10 @@ class ReferenceModel {
     const Point to_goal = field_.goal() - robot.position;
     Point half_way = moved(0.5 * p_.step);
     Point whole_way = moved(p_.step);
-    if (stops_at_goal && p_.vehicle.instant_velocity && atMost(to_goal.norm(), whole_way.norm())) {
+    const bool passes = atMost(to_goal.norm(), whole_way.norm());
+    const bool ahead = p_.vehicle.instant_velocity ||
+                       atMost(0.95 * whole_way.norm() * to_goal.norm(), whole_way.dot(to_goal));
+    if (stops_at_goal && passes && ahead) {
       half_way = 0.5 * to_goal;
       whole_way = to_goal;
     }

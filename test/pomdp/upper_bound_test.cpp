@@ -75,6 +75,7 @@ std::vector<Setting> settings() {
     all.push_back({"ramped" + suffix, withBound(rampedModel(), kind)});
     ModelParams long_steps = rampedModel();
     long_steps.step = 1.0;
+    long_steps.goal_tolerance = 1.0;  // a step of 1.5 m must not leap over it
     all.push_back({"long_steps" + suffix, withBound(long_steps, kind)});
     ModelParams free_drive = rampedModel();
     free_drive.beyond_horizon = BeyondHorizon::kFreeDrive;
