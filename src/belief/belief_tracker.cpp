@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <stdexcept>
 #include <utility>
@@ -47,6 +48,7 @@ BeliefTracker::BeliefTracker(std::vector<Point> destinations, const Params& para
   }
   require(params.update_period > 0.0, "update_period", "be positive", params.update_period);
   require(params.walking_speed >= 0.0, "walking_speed", "not be negative", params.walking_speed);
+  require(params.memory >= 0.0, "memory", "not be negative", params.memory);
   require(params.speed_smoothing > 0.0 && params.speed_smoothing <= 1.0, "speed_smoothing",
           "be in (0, 1]", params.speed_smoothing);
 }
@@ -58,8 +60,15 @@ void BeliefTracker::update(const TrackList& tracks) {
   std::vector<PersonBelief> people;
   std::vector<LastUpdate> last_updates;
   size_t known = 0;  // both lists run by increasing id
+  const auto keepUntil = [&](std::int64_t id) {
+    for (; known < belief_.people.size() && belief_.people[known].id < id; ++known) {
+      if (!remember(tracks.stamp, belief_.people[known], last_updates_[known])) continue;
+      people.push_back(std::move(belief_.people[known]));
+      last_updates.push_back(last_updates_[known]);
+    }
+  };
   for (const auto& [id, track] : usableTracks(tracks.tracks)) {
-    while (known < belief_.people.size() && belief_.people[known].id < id) ++known;
+    keepUntil(id);
     if (known < belief_.people.size() && belief_.people[known].id == id) {
       people.push_back(std::move(belief_.people[known]));
       last_updates.push_back(last_updates_[known]);
@@ -67,11 +76,19 @@ void BeliefTracker::update(const TrackList& tracks) {
       follow(track, tracks.stamp, people.back(), last_updates.back());
     } else {
       people.push_back(newPerson(track));
-      last_updates.push_back({tracks.stamp, track.position});
+      last_updates.push_back({tracks.stamp, track.position, tracks.stamp});
     }
   }
+  keepUntil(std::numeric_limits<std::int64_t>::max());
   belief_ = {tracks.stamp, std::move(people)};
   last_updates_ = std::move(last_updates);
+}
+
+// Moves on a person who was not seen; false when it is to be forgotten.
+bool BeliefTracker::remember(double stamp, PersonBelief& person, const LastUpdate& last) const {
+  if (params_.memory <= 0.0 || stamp - last.seen > params_.memory) return false;
+  person.position += (stamp - belief_.stamp) * person.velocity;
+  return true;
 }
 
 void BeliefTracker::clear() {
@@ -88,6 +105,7 @@ void BeliefTracker::follow(const Track& track, double stamp, PersonBelief& perso
                            LastUpdate& last) const {
   person.position = track.position;
   person.velocity = track.velocity;
+  last.seen = stamp;
   const double elapsed = stamp - last.stamp;
   if (elapsed < params_.update_period - kStampSlack) return;
 
@@ -97,7 +115,16 @@ void BeliefTracker::follow(const Track& track, double stamp, PersonBelief& perso
     const double newest = std::min(walked / elapsed, kFastest);
     person.speed += params_.speed_smoothing * (newest - person.speed);
   }
-  last = {stamp, track.position};
+  last = {stamp, track.position, stamp};
+}
+
+TrackList tracksOf(const CrowdBelief& crowd) {
+  TrackList tracks;
+  tracks.stamp = crowd.stamp;
+  for (const PersonBelief& person : crowd.people) {
+    tracks.tracks.push_back({person.id, person.position, person.velocity});
+  }
+  return tracks;
 }
 
 void predictPeople(double duration, CrowdBelief& crowd, TrackList& tracks) {

@@ -136,8 +136,8 @@ class Trip {
   }
 
   void sense() {
-    tracks_ = simulator_.sense();
-    tracker_.update(tracks_);
+    tracker_.update(simulator_.sense());
+    tracks_ = tracksOf(tracker_.belief());
   }
 
   EpisodeParams params_;

@@ -87,6 +87,7 @@ void readPlanning(ParamReader& reader, PlannerParams& planning) {
 void readSafety(ParamReader& reader, NavigationParams& params) {
   reader.read("belief/update_period", params.belief.update_period);
   reader.read("belief/walking_speed", params.belief.walking_speed);
+  reader.read("belief/memory", params.belief.memory);
   reader.read("belief/speed_smoothing", params.belief.speed_smoothing);
   reader.read("emergency/enabled", params.emergency.enabled);
   reader.read("emergency/decision_distance", params.emergency.decision_distance);

@@ -11,7 +11,7 @@ float square(double x) { return static_cast<float>(x * x); }
 StepConstants::StepConstants(const ModelParams& p, const NavigationField& field) {
   const VehicleParams& v = p.vehicle;
   const auto step = static_cast<float>(p.step);
-  const bool instant = v.instant_velocity;
+  instant = v.instant_velocity;
   max_speed = static_cast<float>(v.max_speed);
   speed_step = static_cast<float>(p.speedStep());
   brake_step = instant ? 1e9F : static_cast<float>(v.brake_deceleration * p.step);

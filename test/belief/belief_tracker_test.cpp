@@ -162,5 +162,25 @@ TEST(BeliefTracker, NamesAWrongParameter) {
   EXPECT_THROW(BeliefTracker({{kNan, 0.0}}, {}), std::invalid_argument);
 }
 
+TEST(BeliefTracker, RemembersWhoIsMissingFromASweep) {
+  BeliefTracker::Params params;
+  params.memory = 0.5;
+  BeliefTracker tracker({{0.0, 0.0}, {10.0, 0.0}}, params);
+  const Point velocity(1.0, 0.0);
+  tracker.update({0.0, {{1, {2.0, 0.0}, velocity}, {2, {5.0, 5.0}, {0.0, 0.0}}}});
+  tracker.update({0.5, {{1, {2.5, 0.0}, velocity}, {2, {5.0, 5.0}, {0.0, 0.0}}}});
+  const double learnt = tracker.belief().people[0].intention.probabilities()[1];
+  tracker.update({0.8, {{2, {5.0, 5.0}, {0.0, 0.0}}}});
+  ASSERT_EQ(tracker.belief().people.size(), 2U);
+  EXPECT_NEAR(tracker.belief().people[0].position.x(), 2.8, 1e-12);
+  EXPECT_EQ(tracker.belief().people[0].intention.probabilities()[1], learnt);
+  const TrackList tracks = tracksOf(tracker.belief());
+  ASSERT_EQ(tracks.tracks.size(), 2U);
+  EXPECT_EQ(tracks.tracks[0].velocity, velocity);
+  tracker.update({1.1, {{2, {5.0, 5.0}, {0.0, 0.0}}}});
+  ASSERT_EQ(tracker.belief().people.size(), 1U);
+  EXPECT_EQ(tracker.belief().people[0].id, 2);
+}
+
 }  // namespace
 }  // namespace pomdp_crowd_nav

@@ -24,11 +24,15 @@ struct CrowdBelief {
   std::vector<PersonBelief> people;
 };
 
+// Everybody of a belief as tracks: those seen and those remembered.
+TrackList tracksOf(const CrowdBelief& crowd);
+
 // Moves everybody on for `duration` seconds at the velocity last seen; stamps move along.
 void predictPeople(double duration, CrowdBelief& crowd, TrackList& tracks);
 
 // Keeps a belief for every visible track: uniform when new, updated every `update_period` from the
-// progress made since the last update, forgotten when the track is gone.
+// progress made since the last update. Who is missing from a sweep is moved on at its last velocity
+// and forgotten after `memory`, so that a missed detection is no disappearance.
 class BeliefTracker {
  public:
   struct Params {
@@ -36,13 +40,14 @@ class BeliefTracker {
     // [m/s], one speed for everybody; 0 to plan with each person's own, smoothed speed.
     double walking_speed = 1.0;
     double speed_smoothing = 0.5;  // weight of the newest speed in (0, 1]
+    double memory = 0.0;           // [s] a person is kept unseen; 0: forgotten at once (paper)
   };
 
   // Throws std::invalid_argument without destinations or with a parameter out of range.
   BeliefTracker(std::vector<Point> destinations, const Params& params);
 
-  // Tracks that are not in the list are forgotten. A stamp older than the last one clears all
-  // beliefs first (the clock jumped back); the same stamp again changes positions only. Tracks
+  // Tracks that are not in the list are kept for `memory`. A stamp older than the last one clears
+  // all beliefs first (the clock jumped back); the same stamp again changes positions only. Tracks
   // without a finite position do not count, of two with one id the last does.
   void update(const TrackList& tracks);
   void clear();
@@ -54,9 +59,11 @@ class BeliefTracker {
   struct LastUpdate {
     double stamp = 0.0;
     Point position{0.0, 0.0};
+    double seen = 0.0;  // [s], stamp of the newest track
   };
 
   PersonBelief newPerson(const Track& track) const;
+  bool remember(double stamp, PersonBelief& person, const LastUpdate& last) const;
   void follow(const Track& track, double stamp, PersonBelief& person, LastUpdate& last) const;
 
   std::vector<Point> destinations_;

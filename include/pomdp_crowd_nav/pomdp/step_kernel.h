@@ -34,6 +34,7 @@ struct StepConstants {
   float time_cost, low_speed_cost;  // per step; low_speed_cost at rest
   float discount;
   bool has_obstacles;
+  bool instant;
 
   StepConstants(const ModelParams& params, const NavigationField& field);
 };
@@ -124,6 +125,9 @@ PCN_INLINE void turn(const StepConstants& c, const RobotLanes<Value>& robot, Val
   to_y = select(reachable, to_y, turned_y);
 }
 
+// Squared cosine of the angle within which something lies ahead.
+constexpr float kAheadSq = 0.95F * 0.95F;
+
 // Moves robots to `new_speed` in direction (to_x, to_y). Where `stops_at_goal`, a robot that
 // would pass the goal ends on it. `here` is the field at the start.
 template <class Value>
@@ -132,7 +136,7 @@ PCN_INLINE MoveLanes<Value> moveRobots(const StepConstants& c, const NavigationF
                                        const FieldLanes<Value>& here, const Value& new_speed,
                                        Value to_x, Value to_y,
                                        const typename MaskOf<Value>::Type& stops_at_goal) {
-  if (c.turn_speed < 1e6F) turn(c, robot, to_x, to_y);
+  if (!c.instant) turn(c, robot, to_x, to_y);
   const Value old_x = robot.speed * robot.direction_x;
   const Value old_y = robot.speed * robot.direction_y;
   const Value new_x = new_speed * to_x;
@@ -143,8 +147,13 @@ PCN_INLINE MoveLanes<Value> moveRobots(const StepConstants& c, const NavigationF
   Value mid_dy = c.mid_old * old_y + c.mid_new * new_y;
   const Value goal_dx = c.goal_x - robot.x;
   const Value goal_dy = c.goal_y - robot.y;
-  const auto passes = stops_at_goal & ((end_dx * end_dx + end_dy * end_dy) >=
-                                       (goal_dx * goal_dx + goal_dy * goal_dy));
+  const Value length_sq = end_dx * end_dx + end_dy * end_dy;
+  const Value goal_sq = goal_dx * goal_dx + goal_dy * goal_dy;
+  auto passes = stops_at_goal & (length_sq >= goal_sq);
+  if (!c.instant) {  // a base with inertia passes only what lies ahead
+    const Value dot = end_dx * goal_dx + end_dy * goal_dy;
+    passes = passes & (dot > 0.0F) & (dot * dot >= kAheadSq * length_sq * goal_sq);
+  }
   end_dx = select(passes, goal_dx, end_dx);
   end_dy = select(passes, goal_dy, end_dy);
   mid_dx = select(passes, 0.5F * goal_dx, mid_dx);
@@ -193,8 +202,11 @@ PCN_INLINE Value collisionPenalty(const StepConstants& c, const RobotLanes<Value
   // Who moves before or after, is tested where the step starts, half way, and where it ends.
   const auto starts_close =
       ((robot.speed > 0.0F) | (move.end.speed > 0.0F)) & (start_sq <= c.pedestrian_clearance_sq);
-  const auto comes_close =
+  auto comes_close =
       (move.end.speed > 0.0F) & (smaller(mid_sq, end_sq) <= c.pedestrian_clearance_sq);
+  if (!c.instant) {  // a base that brakes to rest moves until then
+    comes_close = comes_close | ((robot.speed > 0.0F) & (mid_sq <= c.pedestrian_clearance_sq));
+  }
   const auto meets_person = starts_close | comes_close;
   collides = move.ends_outside | meets_person | move.hits_obstacle;
   const auto is_obstacle = move.ends_outside | (move.hits_obstacle & (meets_person == 0));
