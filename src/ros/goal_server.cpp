@@ -4,6 +4,11 @@
 #include <ros/console.h>
 
 namespace pomdp_crowd_nav {
+namespace {
+
+using actionlib_msgs::GoalStatus;
+
+}  // namespace
 
 GoalServer::GoalServer(ros::NodeHandle& node, Callbacks callbacks)
     : callbacks_(std::move(callbacks)),
@@ -30,6 +35,10 @@ void GoalServer::onGoal(Server::GoalHandle handle) {
     handle.setRejected(move_base_msgs::MoveBaseResult(), reason);
     return;
   }
+  if (handle.getGoalStatus().status == GoalStatus::RECALLING) {
+    handle.setCanceled(move_base_msgs::MoveBaseResult(), "cancelled");
+    return;
+  }
   handle.setAccepted("on the way");
   Goal goal{0, *pose};
   std::optional<Server::GoalHandle> previous;
@@ -43,6 +52,8 @@ void GoalServer::onGoal(Server::GoalHandle handle) {
     previous->setCanceled(move_base_msgs::MoveBaseResult(), "preempted by a newer goal");
   }
   callbacks_.start(goal);
+  // A cancel before the start found no trip of this goal to end.
+  if (handle.getGoalStatus().status == GoalStatus::PREEMPTING) callbacks_.cancel();
 }
 
 void GoalServer::onCancel(Server::GoalHandle handle) {

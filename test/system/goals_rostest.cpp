@@ -62,6 +62,15 @@ TEST_F(GoalsTest, CancelBringsTheBaseToRest) {
   EXPECT_LE(client_.commandCount(), commands + 2) << "an idle planner must not command the base";
 }
 
+TEST_F(GoalsTest, CancelOfAGoalThatIsStillCheckedIsNotLost) {
+  const ros::Time soon = ros::Time::now() + ros::Duration(0.15);  // no transform is as new
+  client_.send(3.0, 0.0, "odom", soon);
+  client_.cancel();
+  ASSERT_TRUE(client_.waitForEnd(5.0));
+  EXPECT_NE(client_.state(), NavigationClient::State::REJECTED) << client_.text();
+  EXPECT_TRUE(client_.waitForRest(1.0));
+}
+
 TEST_F(GoalsTest, NewerGoalPreemptsAndRefusedOneDoesNot) {
   client_.send(20.0, 40.0);
   ASSERT_TRUE(client_.waitForMotion(20.0)) << client_.status().stop_cause;

@@ -29,8 +29,10 @@ class NavigationClient {
     return waitUntil(20.0, [this] { return action_.isServerConnected() && status_count_ > 0; });
   }
 
-  void send(double x, double y, const std::string& frame = "map") {
+  void send(double x, double y, const std::string& frame = "map",
+            const ros::Time& stamp = ros::Time()) {
     move_base_msgs::MoveBaseGoal goal;
+    goal.target_pose.header.stamp = stamp;
     goal.target_pose.header.frame_id = frame;
     goal.target_pose.pose = toMessage(Pose{Point(x, y), 0.0});
     feedback_count_ = 0;
