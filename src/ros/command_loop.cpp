@@ -29,6 +29,7 @@ CommandLoop::CommandLoop(const PlannerNodeParams& params)
 
 CommandLoop::Tick CommandLoop::tick(double now, Drive& drive) {
   if (drive.hasGoal()) {
+    last_yaw_rate_ = 0.0;
     watchInputs(now, drive);
     watchPeople(now, drive);
     if (hasReachedGoal(drive)) endTrip(Outcome::kReached, "goal reached", now, drive);
@@ -43,12 +44,14 @@ CommandLoop::Tick CommandLoop::tick(double now, Drive& drive) {
     resting_ = !drive.hasGoal() && at_rest;
     return tick;
   }
+  const double yaw_error = yawError(drive);
+  if (drive.paused && yaw_error != 0.0) drive.ending->since = now;  // a pause costs no patience
   if (isOver(now, drive, at_rest)) {
     tick.finished = drive.ending;
     drive.ending.reset();
     last_yaw_rate_ = 0.0;
   } else if (isFresh(now, drive) && (at_rest || last_yaw_rate_ != 0.0)) {
-    tick.command = turnInPlace(yawError(drive));
+    tick.command = turnInPlace(drive.paused ? 0.0 : yaw_error);
   }
   return tick;
 }
@@ -123,6 +126,15 @@ void endTrip(Outcome outcome, const std::string& text, double now, Drive& drive)
   drive.prepared = false;
   drive.blocker = Blocker();
   drive.executor.stop();
+}
+
+void cancelTrip(double now, Drive& drive) {
+  const char* const text = "cancelled";
+  if (drive.ending && drive.ending->outcome == Outcome::kReached) {
+    drive.ending->outcome = Outcome::kCancelled;
+    drive.ending->text = text;
+  }
+  endTrip(Outcome::kCancelled, text, now, drive);
 }
 
 }  // namespace pomdp_crowd_nav

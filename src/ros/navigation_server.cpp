@@ -111,8 +111,7 @@ void NavigationServer::startTrip(const Goal& goal) {
 }
 
 void NavigationServer::cancelTrip() {
-  drive_.with(
-      [](Drive& drive) { endTrip(Outcome::kCancelled, "cancelled", steadySeconds(), drive); });
+  drive_.with([](Drive& drive) { pomdp_crowd_nav::cancelTrip(steadySeconds(), drive); });
 }
 
 void NavigationServer::failTrip(const Goal& goal, const std::string& reason) {
@@ -198,6 +197,10 @@ bool NavigationServer::onMakePlan(nav_msgs::GetPlan::Request& request,
 }
 
 void NavigationServer::stopBase() {
+  command_spinner_.stop();
+  command_timer_.stop();
+  commands_.publish(geometry_msgs::Twist());
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));  // it is sent by another thread
   cancelTrip();
   const double give_up = steadySeconds() + 2.0;
   while (is_active_ && steadySeconds() < give_up) {

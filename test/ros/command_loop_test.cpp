@@ -176,6 +176,44 @@ TEST_F(TurnAtTheGoal, TurnsInPlaceToTheHeadingOfTheGoal) {
   EXPECT_NEAR(drive_.inputs.robot->pose.position.x(), 19.9, 1e-6);
 }
 
+TEST_F(TurnAtTheGoal, CancelEndsTheTurn) {
+  drive_.inputs.robot->pose.position = Point(19.9, 0.0);
+  run(1.0);
+  ASSERT_GT(drive_.inputs.robot->yaw_rate, 0.0);
+  cancelTrip(now_, drive_);
+  run(2.0);
+  EXPECT_EQ(drive_.inputs.robot->yaw_rate, 0.0);
+  EXPECT_LT(drive_.inputs.robot->pose.heading, 1.5);
+  ASSERT_TRUE(finished_);
+  EXPECT_EQ(finished_->outcome, Outcome::kCancelled);
+}
+
+TEST_F(TurnAtTheGoal, PauseHoldsTheTurn) {
+  drive_.inputs.robot->pose.position = Point(19.9, 0.0);
+  run(1.0);
+  drive_.paused = true;
+  run(2.0);
+  EXPECT_EQ(drive_.inputs.robot->yaw_rate, 0.0);
+  const double heading = drive_.inputs.robot->pose.heading;
+  run(20.0);
+  EXPECT_EQ(drive_.inputs.robot->pose.heading, heading);
+  EXPECT_FALSE(finished_);
+  drive_.paused = false;
+  run(8.0);
+  ASSERT_TRUE(finished_);
+  EXPECT_EQ(finished_->outcome, Outcome::kReached);
+  EXPECT_NEAR(drive_.inputs.robot->pose.heading, 2.0, 0.15);
+}
+
+TEST(PoseJump, IsAWayThatNoBaseGoes) {
+  RobotReading from, to;
+  to.measured_at = from.measured_at + 0.5;
+  to.pose.position = Point(1.9, 0.0);
+  EXPECT_FALSE(isPoseJump(from, to, 2.0));
+  to.pose.position = Point(2.1, 0.0);
+  EXPECT_TRUE(isPoseJump(from, to, 2.0));
+}
+
 TEST(StateNames, EveryCauseHasOne) {
   for (int cause = 1; cause <= static_cast<int>(StopCause::kPaused); ++cause) {
     EXPECT_STRNE(describe(static_cast<StopCause>(cause)), "");

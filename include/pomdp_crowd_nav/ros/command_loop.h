@@ -49,4 +49,7 @@ class CommandLoop {
 // Ends the trip: from now on the base is stopped. Does nothing without a goal.
 void endTrip(Outcome outcome, const std::string& text, double now, Drive& drive);
 
+// Ends the trip before the goal, or the turn at it. Does nothing without either.
+void cancelTrip(double now, Drive& drive);
+
 }  // namespace pomdp_crowd_nav

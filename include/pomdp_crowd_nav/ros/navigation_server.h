@@ -26,7 +26,8 @@ class NavigationServer {
                    const PlannerNodeParams& params);
   ~NavigationServer();
 
-  // Ends the trip, if any, and returns when the base is at rest or after two seconds.
+  // For the end of the node: ends the trip, if any, waits until the base is at rest or two seconds
+  // have passed, and leaves a zero as the last command.
   void stopBase();
 
  private:
