@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <chrono>
 #include <stdexcept>
+#include <tuple>
 
 #include "pomdp_crowd_nav/planner/planner_factory.h"
+#include "pomdp_crowd_nav/ros/reachability.h"
 #include "pomdp_crowd_nav/ros/steady_time.h"
 
 namespace pomdp_crowd_nav {
@@ -85,10 +87,11 @@ void DecisionLoop::run() {
 
 // Builds the planner when the goal or the map is another one.
 void DecisionLoop::prepare() {
-  const auto [goal, map] =
-      drive_.with([](Drive& drive) { return std::make_pair(drive.goal, drive.inputs.map); });
+  const auto [goal, map, robot] = drive_.with([](Drive& drive) {
+    return std::make_tuple(drive.goal, drive.inputs.map, drive.inputs.robot);
+  });
   const bool stands = goal.number == goal_.number && map == map_;
-  if (goal.number == 0 || !map || stands) return;
+  if (goal.number == 0 || !map || !robot || stands) return;
   goal_ = goal;
   map_ = map;
   planner_.reset();
@@ -97,6 +100,9 @@ void DecisionLoop::prepare() {
     const Task task{*map, goal.pose.position, params_.destinations};
     planner_ = makePlanner(params_.navigation.planner, task, params_.navigation.planning);
   } catch (const std::exception& error) {
+    const std::string no_way = whyNoWay(planner_->globalPath(robot->pose.position),
+                                        goal.pose.position, *map, params_.navigation);
+    if (!no_way.empty()) return giveUp(no_way);
     return giveUp(error.what());
   }
   drive_.with([&](Drive& drive) { drive.prepared = drive.goal.number == goal.number; });

@@ -8,6 +8,7 @@
 
 #include "pomdp_crowd_nav/planner/planner_factory.h"
 #include "pomdp_crowd_nav/ros/markers.h"
+#include "pomdp_crowd_nav/ros/reachability.h"
 #include "pomdp_crowd_nav/ros/steady_time.h"
 
 namespace pomdp_crowd_nav {
@@ -19,18 +20,6 @@ constexpr int kReportsPerDiagnostics = 4;  // 1 Hz
 MotionExecutor makeExecutor(const NavigationParams& params) {
   return MotionExecutor(params.command, params.planning.model.vehicle,
                         1.0 / params.controller_frequency);
-}
-
-// Why the robot cannot drive to a place; empty when it can.
-std::string whyUnreachable(const Point& goal, const StaticMap& map, const ModelParams& model) {
-  const std::string place = fmt::format("goal ({:.2f}, {:.2f})", goal.x(), goal.y());
-  if (!map.bounds().contains(goal)) return place + " is off the map";
-  const double clearance = map.clearance(goal);
-  if (clearance <= 0.0) return place + " is inside an obstacle";
-  // Within the tolerance there may be a place that is far enough from the obstacle.
-  if (clearance + model.goal_tolerance >= model.obstacleClearance()) return "";
-  return fmt::format("{} is too close to an obstacle: {:.2f} m, the robot keeps {:.2f} m", place,
-                     clearance, model.obstacleClearance());
 }
 
 }  // namespace
@@ -90,7 +79,7 @@ std::optional<Pose> NavigationServer::checkGoal(const geometry_msgs::PoseStamped
   }
   const Pose pose = transformed(*frame, *local);
   const auto map = drive_.with([](Drive& drive) { return drive.inputs.map; });
-  if (map) reason = whyUnreachable(pose.position, *map, params_.navigation.planning.model);
+  if (map) reason = whyNotAPlace(pose.position, *map, params_.navigation.planning.model);
   return reason.empty() ? std::optional<Pose>(pose) : std::nullopt;
 }
 
@@ -185,10 +174,16 @@ bool NavigationServer::onMakePlan(nav_msgs::GetPlan::Request& request,
     const auto planner =
         makePlanner(params_.navigation.planner, Task{*map, goal->position, params_.destinations},
                     params_.navigation.planning);
+    const std::vector<Point> path = planner->globalPath(start->position);
+    reason = whyNoWay(path, goal->position, *map, params_.navigation);
+    if (!reason.empty()) {
+      ROS_WARN("make_plan: %s", reason.c_str());
+      return false;
+    }
     std_msgs::Header header;
     header.frame_id = params_.frames.global;
     header.stamp = ros::Time::now();
-    response.plan = toMessage(planner->globalPath(start->position), header);
+    response.plan = toMessage(path, header);
   } catch (const std::exception& error) {
     ROS_WARN("make_plan: %s", error.what());
     return false;
@@ -197,15 +192,15 @@ bool NavigationServer::onMakePlan(nav_msgs::GetPlan::Request& request,
 }
 
 void NavigationServer::stopBase() {
-  command_spinner_.stop();
-  command_timer_.stop();
-  commands_.publish(geometry_msgs::Twist());
-  std::this_thread::sleep_for(std::chrono::milliseconds(50));  // it is sent by another thread
   cancelTrip();
   const double give_up = steadySeconds() + 2.0;
   while (is_active_ && steadySeconds() < give_up) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
+  command_spinner_.stop();
+  command_timer_.stop();
+  commands_.publish(geometry_msgs::Twist());
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));  // it is sent by another thread
 }
 
 }  // namespace pomdp_crowd_nav

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pomdp_crowd_nav/ros/reachability.h"
+
+#include <gtest/gtest.h>
+
+namespace pomdp_crowd_nav {
+namespace {
+
+constexpr double kRadius = 2.0;  // [m], of an obstacle at (10, 0)
+
+class NoWay : public testing::Test {
+ protected:
+  static StaticMap map() {
+    StaticMap::Obstacles obstacles;
+    obstacles.circles.push_back({Point(10.0, 0.0), kRadius});
+    return StaticMap(Bounds{Point(-50.0, -50.0), Point(50.0, 50.0)}, obstacles);
+  }
+
+  NoWay() {
+    params_.planner = "2d_fmm";
+    params_.planning.model.goal_tolerance = 0.5;
+  }
+
+  std::string why(const std::vector<Point>& path) const {
+    return whyNoWay(path, Point(20.0, 0.0), map_, params_);
+  }
+
+  NavigationParams params_;
+  StaticMap map_ = map();
+};
+
+TEST_F(NoWay, PathRoundTheObstacleIsAWay) {
+  EXPECT_EQ(why({{0.0, 0.0}, {10.0, 5.0}, {20.0, 0.0}}), "");
+}
+
+TEST_F(NoWay, PathThroughTheObstacleIsNone) {
+  const std::string reason = why({{0.0, 0.0}, {20.0, 0.0}});
+  EXPECT_NE(reason.find("no way to the goal"), std::string::npos);
+  EXPECT_NE(reason.find("obstacle"), std::string::npos);
+}
+
+TEST_F(NoWay, PathThatEndsBeforeTheGoalIsNone) {
+  EXPECT_NE(why({{0.0, 0.0}, {10.0, 5.0}, {18.5, 0.0}}), "");
+  EXPECT_EQ(why({{0.0, 0.0}, {10.0, 5.0}, {19.1, 0.0}}), "") << "near enough";
+}
+
+TEST_F(NoWay, RobotInsideAnObstacleMayDriveOut) {
+  EXPECT_EQ(why({{11.5, 0.0}, {13.0, 0.0}, {20.0, 0.0}}), "");
+  EXPECT_NE(why({{11.5, 0.0}}), "");
+}
+
+TEST_F(NoWay, BeelineIsNotJudged) {
+  params_.planner = "2d_straight";
+  EXPECT_EQ(why({{0.0, 0.0}, {20.0, 0.0}}), "");
+}
+
+}  // namespace
+}  // namespace pomdp_crowd_nav
