@@ -81,11 +81,12 @@ void DecisionLoop::run() {
     if (!is_driving_) schedule_.restart(now);
     is_driving_ = true;
     const DecisionSlot slot = schedule_.next(now);
+    countLeftOut(slot);
     if (sleepUntil(slot.start)) decide(slot);
   }
 }
 
-// Builds the planner when the goal or the map is another one.
+// Builds the planner when the goal or the map is another one, and looks for a way.
 void DecisionLoop::prepare() {
   const auto [goal, map, robot] = drive_.with([](Drive& drive) {
     return std::make_tuple(drive.goal, drive.inputs.map, drive.inputs.robot);
@@ -99,10 +100,10 @@ void DecisionLoop::prepare() {
   try {
     const Task task{*map, goal.pose.position, params_.destinations};
     planner_ = makePlanner(params_.navigation.planner, task, params_.navigation.planning);
-  } catch (const std::exception& error) {
     const std::string no_way = whyNoWay(planner_->globalPath(robot->pose.position),
                                         goal.pose.position, *map, params_.navigation);
     if (!no_way.empty()) return giveUp(no_way);
+  } catch (const std::exception& error) {
     return giveUp(error.what());
   }
   drive_.with([&](Drive& drive) { drive.prepared = drive.goal.number == goal.number; });
@@ -118,6 +119,14 @@ bool DecisionLoop::mayDrive(double now) {
   return drive_.with([&](Drive& drive) {
     return drive.goal.number == goal_.number && drive.prepared && !drive.paused &&
            missingInput(drive.inputs, limits_, now) == StopCause::kNone;
+  });
+}
+
+void DecisionLoop::countLeftOut(const DecisionSlot& slot) {
+  if (slot.left_out == 0) return;
+  drive_.with([&](Drive& drive) {
+    if (drive.goal.number != goal_.number) return;
+    drive.counts.deadline_misses += static_cast<unsigned>(slot.left_out);
   });
 }
 

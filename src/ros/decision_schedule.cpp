@@ -14,8 +14,9 @@ void DecisionSchedule::restart(double now) { next_effect_ = now + search_time_ +
 DecisionSlot DecisionSchedule::next(double now) {
   const double lead = search_time_ + kMargin;
   const double late = now - (next_effect_ - lead);
-  if (late > kMargin) next_effect_ += step_ * std::ceil((late - kMargin) / step_);
-  const DecisionSlot slot{next_effect_ - lead, next_effect_ - kMargin, next_effect_};
+  const int left_out = late > kMargin ? static_cast<int>(std::ceil((late - kMargin) / step_)) : 0;
+  next_effect_ += step_ * left_out;
+  const DecisionSlot slot{next_effect_ - lead, next_effect_ - kMargin, next_effect_, left_out};
   next_effect_ += step_;
   return slot;
 }

@@ -33,6 +33,8 @@ TEST(DecisionSchedule, SlotsThatWereSleptThroughAreLeftOut) {
   EXPECT_GE(slot.start, first + 1.7 - DecisionSchedule::kMargin);
   const double steps = (slot.effect - first) / 0.5;
   EXPECT_NEAR(steps, static_cast<int>(steps + 0.5), 1e-9) << "the grid of steps is kept";
+  EXPECT_EQ(slot.left_out, static_cast<int>(steps + 0.5) - 1);
+  EXPECT_EQ(schedule.next(slot.effect).left_out, 0);
 }
 
 }  // namespace

@@ -50,6 +50,7 @@ class DecisionLoop {
   void decide(const DecisionSlot& slot);
   void giveUp(const std::string& reason);
   bool mayDrive(double now);
+  void countLeftOut(const DecisionSlot& slot);
   bool sleepUntil(double time);
   std::optional<Snapshot> snapshotFor(double effect) const;
   Decision think(const Snapshot& snapshot, const DecisionSlot& slot);

@@ -8,6 +8,7 @@ struct DecisionSlot {
   double start = 0.0;     // the newest inputs are taken and the search begins
   double deadline = 0.0;  // the search ends
   double effect = 0.0;    // the base begins to follow; a decision that is later is dropped
+  int left_out = 0;       // slots between this one and the last that were slept through
 };
 
 // Decisions take effect at even intervals; each is searched for in the time just before.
