@@ -106,6 +106,7 @@ void SimulationServer::step() {
   publishBase();
   if (steps_ % kStepsPerTick != 0) return;
   observer_->tick(*simulator_);
+  observer_->look(*simulator_);
   publishCrowd();
   publishMetrics();
 }

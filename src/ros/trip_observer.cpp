@@ -14,9 +14,16 @@ TripObserver::TripObserver(const Params& params, const Point& goal)
 void TripObserver::begin(const Point& goal, double time) {
   goal_ = goal;
   begin_time_ = time;
-  has_reached_goal_ = false;
+  has_reached_goal_ = is_over_ = false;
   recorder_.reset();
   trail_.clear();
+}
+
+void TripObserver::look(const Simulator& simulator) {
+  if (!begin_time_ || is_over_) return;
+  const SimulatedBase& base = simulator.base();
+  recorder_.look(simulator.time() - *begin_time_, base.pose().position, base.velocity().norm(),
+                 simulator.crowd().walkers());
 }
 
 void TripObserver::tick(const Simulator& simulator) {
@@ -25,9 +32,11 @@ void TripObserver::tick(const Simulator& simulator) {
   if (!begin_time_ && speed < params_.metrics.moving_speed) return;
   if (!begin_time_) begin(goal_, simulator.time() - Crowd::kTick);
   extendTrail(robot);
-  if (has_reached_goal_) return;
+  if (is_over_) return;
   recorder_.tick(simulator.time() - *begin_time_, robot, speed, simulator.crowd().walkers());
-  has_reached_goal_ = (robot - goal_).norm() <= params_.goal_tolerance;
+  if ((robot - goal_).norm() <= params_.goal_tolerance) has_reached_goal_ = true;
+  if (has_reached_goal_) recorder_.arrive();
+  is_over_ = has_reached_goal_ && speed < params_.metrics.moving_speed;
 }
 
 void TripObserver::extendTrail(const Point& robot) {

@@ -35,6 +35,26 @@ TEST(MetricsRecorder, DistancesCountWhileTheRobotMoves) {
   EXPECT_EQ(recorder.metrics().contact_ticks, 1);
 }
 
+TEST(MetricsRecorder, LooksBetweenTicksCountStepsAndDistanceAlone) {
+  MetricsRecorder recorder({});
+  recorder.look(0.02, {0.0, 0.0}, 1.0, at({0.4, 0.0}));
+  recorder.look(0.04, {0.0, 0.0}, 0.0, at({0.1, 0.0}));
+  EXPECT_DOUBLE_EQ(recorder.metrics().min_moving_distance, 0.4);
+  EXPECT_EQ(recorder.metrics().unsafe_steps, 1);
+  EXPECT_EQ(recorder.metrics().unsafe_ticks, 0);
+  EXPECT_EQ(recorder.metrics().travel_time, 0.0);
+}
+
+TEST(MetricsRecorder, ArrivalStopsTheTravelTimeAlone) {
+  MetricsRecorder recorder({});
+  recorder.tick(0.1, {0.0, 0.0}, 1.0, kNobody);
+  recorder.arrive();
+  recorder.tick(0.2, {1.0, 0.0}, 1.0, at({1.4, 0.0}));
+  EXPECT_DOUBLE_EQ(recorder.metrics().travel_time, 0.1);
+  EXPECT_DOUBLE_EQ(recorder.metrics().min_moving_distance, 0.4);
+  EXPECT_EQ(recorder.metrics().unsafe_steps, 1);
+}
+
 TEST(MetricsRecorder, OneMetreIsSafe) {
   MetricsRecorder recorder({});
   recorder.tick(0.1, {0.0, 0.0}, 1.0, at({1.0, 0.0}));

@@ -39,6 +39,11 @@ class MetricsRecorder {
 
   // One tick of the simulator that ended at `time` seconds since the trip began.
   void tick(double time, const Point& robot, double speed, const std::vector<Walker>& walkers);
+  // Between ticks: counts unsafe steps and the smallest distance alone. Returns the distance to the
+  // nearest person [m], infinite for a robot at rest.
+  double look(double time, const Point& robot, double speed, const std::vector<Walker>& walkers);
+  // The robot is at the goal: the travel time stands still, everything else goes on.
+  void arrive() { has_arrived_ = true; }
   void countReflex() { ++metrics_.sudden_brakes; }
   void countDecision(bool sudden_brake, bool missed_deadline);
 
@@ -47,6 +52,7 @@ class MetricsRecorder {
  private:
   Params params_;
   EpisodeMetrics metrics_;
+  bool has_arrived_ = false;
   bool has_position_ = false;
   Point last_position_{0.0, 0.0};
   long last_unsafe_step_ = -1;

@@ -11,8 +11,8 @@ namespace pomdp_crowd_nav {
 
 // Measures the robot's trips from the truth of the simulator, without ROS.
 //
-// A trip begins with a goal, or else with the first motion, and its clock stops when the robot
-// comes within the goal tolerance.
+// A trip begins with a goal, or else with the first motion. Its clock stops when the robot comes
+// within the goal tolerance; people are watched until it is at rest there.
 class TripObserver {
  public:
   struct Params {
@@ -25,6 +25,8 @@ class TripObserver {
 
   void begin(const Point& goal, double time);
 
+  // At every step of the base, however short.
+  void look(const Simulator& simulator);
   // Once per tick of the crowd.
   void tick(const Simulator& simulator);
 
@@ -39,6 +41,7 @@ class TripObserver {
   Point goal_;
   std::optional<double> begin_time_;  // [s] of the simulation
   bool has_reached_goal_ = false;
+  bool is_over_ = false;  // at rest at the goal
   MetricsRecorder recorder_;
   std::vector<Point> trail_;
 };
