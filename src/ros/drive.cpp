@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pomdp_crowd_nav/ros/drive.h"
 
+#include <algorithm>
+
 namespace pomdp_crowd_nav {
 namespace {
 
@@ -63,8 +65,8 @@ const char* describe(StopCause cause) {
       return "watching people before the start";
     case StopCause::kNoMap:
       return "the map is missing or too old";
-    case StopCause::kClockJumped:
-      return "the clock jumped back";
+    case StopCause::kJumped:
+      return "the clock or the robot's pose jumped";
     case StopCause::kPreparing:
       return "the way to the goal is being worked out";
     case StopCause::kNoDecision:
@@ -77,15 +79,21 @@ const char* describe(StopCause cause) {
   return "";
 }
 
+bool isPoseJump(const RobotReading& from, const RobotReading& to, double max_speed) {
+  constexpr double kSlack = 1.0;  // [m], corrections of the localisation are smaller
+  const double way = (to.pose.position - from.pose.position).norm();
+  return way > max_speed * std::max(0.0, to.measured_at - from.measured_at) + kSlack;
+}
+
 StopCause missingInput(const Inputs& inputs, const InputLimits& limits, double now) {
   if (!inputs.map || (limits.map > 0.0 && now - inputs.map_at > limits.map)) {
     return StopCause::kNoMap;
   }
-  const bool jumped = happenedWithin(inputs.clock_jump_at, limits.people, now);
+  const bool jumped = happenedWithin(inputs.jump_at, limits.people, now);
   const StopCause odometry = missingOdometry(inputs, limits, now);
-  if (odometry != StopCause::kNone) return jumped ? StopCause::kClockJumped : odometry;
+  if (odometry != StopCause::kNone) return jumped ? StopCause::kJumped : odometry;
   if (!happenedWithin(inputs.tracks_at, limits.people, now)) {
-    return jumped ? StopCause::kClockJumped : StopCause::kNoPeople;
+    return jumped ? StopCause::kJumped : StopCause::kNoPeople;
   }
   if (inputs.tracks_at - inputs.first_tracks_at < limits.watching) {
     return StopCause::kWatchingPeople;

@@ -28,6 +28,7 @@ InputListener::InputListener(ros::NodeHandle& node, const PlannerNodeParams& par
                              Guarded<Drive>& drive)
     : global_frame_(params.frames.global),
       tolerance_(params.navigation.transform_tolerance),
+      max_speed_(params.navigation.planning.model.vehicle.max_speed),
       drive_(drive),
       transforms_(buffer_),
       tracker_(params.destinations, params.navigation.belief) {
@@ -50,6 +51,7 @@ void InputListener::onOdometry(const nav_msgs::Odometry& odometry) {
   if (!frame) return countTransformFailure(odometry.header.frame_id);
   std::optional<RobotReading> reading = toReading(odometry, *frame);
   if (reading) reading->measured_at = measured_at;
+  if (reading) noticePoseJump(*reading);
   drive_.with([&](Drive& drive) {
     if (reading) {
       drive.inputs.robot = reading;
@@ -151,6 +153,16 @@ void InputListener::noticeClockJump(const ros::Time& now) {
   forgetEverything();
 }
 
+void InputListener::noticePoseJump(const RobotReading& reading) {
+  const bool jumped = drive_.with([&](Drive& drive) {
+    const std::optional<RobotReading>& last = drive.inputs.robot;
+    return last && isPoseJump(*last, reading, max_speed_);
+  });
+  if (!jumped) return;
+  ROS_WARN("the robot's pose jumped: beliefs are forgotten and the base is stopped");
+  forgetEverything();
+}
+
 void InputListener::forgetEverything() {
   drive_.with([&](Drive& drive) {
     drive.inputs.robot.reset();
@@ -158,7 +170,7 @@ void InputListener::forgetEverything() {
     drive.inputs.crowd = CrowdBelief();
     drive.inputs.tracks_at = -1.0;
     drive.inputs.first_tracks_at = -1.0;
-    drive.inputs.clock_jump_at = steadySeconds();
+    drive.inputs.jump_at = steadySeconds();
     tracker_.clear();
     drive.executor.stop();
   });

@@ -105,8 +105,8 @@ TEST_F(CommandLoopTest, CausesAreToldApart) {
   refreshInputs();
   drive_.inputs.tracks_at = now_ - 5.0;
   EXPECT_EQ(missingInput(drive_.inputs, loop_.limits(), now_), StopCause::kNoPeople);
-  drive_.inputs.clock_jump_at = now_;
-  EXPECT_EQ(missingInput(drive_.inputs, loop_.limits(), now_), StopCause::kClockJumped);
+  drive_.inputs.jump_at = now_;
+  EXPECT_EQ(missingInput(drive_.inputs, loop_.limits(), now_), StopCause::kJumped);
   drive_.inputs.map.reset();
   EXPECT_EQ(missingInput(drive_.inputs, loop_.limits(), now_), StopCause::kNoMap);
 }

@@ -22,6 +22,7 @@ class FakeRobot {
   std::atomic<bool> are_people_silent{false};
   std::atomic<bool> is_transform_silent{false};
   std::atomic<double> clock_offset{1000.0};  // [s]
+  std::atomic<double> x_offset{0.0};         // [m], of the odometry
 
   FakeRobot() {
     clock_ = node_.advertise<rosgraph_msgs::Clock>("/clock", 1);
@@ -81,6 +82,7 @@ class FakeRobot {
     odometry.header.stamp = stamp_;
     odometry.child_frame_id = "base_link";
     odometry.pose.pose = toMessage(pose_);
+    odometry.pose.pose.position.x += x_offset;
     odometry.twist.twist.linear.x = x_velocity_;
     odometry.twist.twist.linear.y = y_velocity_;
     odometry.twist.twist.angular.z = yaw_rate_;

@@ -68,6 +68,12 @@ TEST_F(InputsTest, ClockThatJumpsBackStopsTheBaseAndTheTripGoesOn) {
   EXPECT_TRUE(client_.waitForMotion(8.0)) << client_.status().stop_cause;
 }
 
+TEST_F(InputsTest, PoseThatJumpsStopsTheBaseAndTheTripGoesOn) {
+  robot_.x_offset = 5.0;
+  EXPECT_TRUE(client_.waitForStop(3.0, "pose jumped")) << client_.status().stop_cause;
+  EXPECT_TRUE(client_.waitForMotion(8.0)) << client_.status().stop_cause;
+}
+
 }  // namespace
 }  // namespace pomdp_crowd_nav
 

@@ -22,7 +22,7 @@ enum class StopCause {
   kNoPeople,
   kWatchingPeople,  // beliefs need a second of tracks before they mean anything
   kNoMap,
-  kClockJumped,
+  kJumped,  // the clock back or the robot elsewhere: beliefs began afresh
   kPreparing,
   kNoDecision,
   kEmergency,
@@ -64,7 +64,7 @@ struct Inputs {
   double map_at = -1.0;
   double bad_odometry_at = -1.0;
   double transform_failure_at = -1.0;
-  double clock_jump_at = -1.0;
+  double jump_at = -1.0;  // of clock or pose
   unsigned bad_odometry = 0;
   unsigned transform_failures = 0;
 };
@@ -104,6 +104,9 @@ struct InputLimits {
   double map = 0.0;       // 0: none
   double watching = 1.0;  // unbroken tracks needed before the first decision
 };
+
+// No base gets from one reading to the other; it was put elsewhere or found that it is.
+bool isPoseJump(const RobotReading& from, const RobotReading& to, double max_speed);
 
 // The first input that is missing or too old; kNone when the robot may drive.
 StopCause missingInput(const Inputs& inputs, const InputLimits& limits, double now);

@@ -18,7 +18,7 @@ namespace pomdp_crowd_nav {
 //
 // A message whose frame cannot be transformed, or with a number that is not finite, is dropped and
 // counted: its input then ages, and the robot stops when it is too old. When ROS time jumps back
-// everything measured before is forgotten.
+// or the robot is suddenly elsewhere, everything measured before is forgotten.
 class InputListener {
  public:
   InputListener(ros::NodeHandle& node, const PlannerNodeParams& params, Guarded<Drive>& drive);
@@ -38,10 +38,12 @@ class InputListener {
   std::optional<Pose> lookUp(const std::string& frame, const ros::Time& stamp) const;
   void countTransformFailure(const std::string& frame);
   void noticeClockJump(const ros::Time& now);
+  void noticePoseJump(const RobotReading& reading);
   void forgetEverything();
 
   std::string global_frame_;
   ros::Duration tolerance_;
+  double max_speed_;  // [m/s]
   Guarded<Drive>& drive_;
   tf2_ros::Buffer buffer_;
   tf2_ros::TransformListener transforms_;
