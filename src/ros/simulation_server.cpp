@@ -90,8 +90,10 @@ void SimulationServer::subscribe(ros::NodeHandle& node, ros::NodeHandle& private
 void SimulationServer::onTimer(const ros::SteadyTimerEvent&) {
   const double time = steadySeconds();
   const int due = static_cast<int>((time - last_tick_) / kStep + 0.5);
+  const double lost = due > kMostSteps ? time - last_tick_ - kMostSteps * kStep : 0.0;
   last_tick_ = due > kMostSteps ? time : last_tick_ + due * kStep;
   if (is_paused_) return;
+  if (lost > 0.0) ROS_WARN_THROTTLE(1.0, "too slow: the simulation falls back by %.2f s", lost);
   for (int i = 0; i < std::min(due, kMostSteps); ++i) step();
 }
 
@@ -104,9 +106,9 @@ void SimulationServer::step() {
     publishers_.clock.publish(clock);
   }
   publishBase();
+  observer_->look(*simulator_);
   if (steps_ % kStepsPerTick != 0) return;
   observer_->tick(*simulator_);
-  observer_->look(*simulator_);
   publishCrowd();
   publishMetrics();
 }
