@@ -13,7 +13,7 @@ namespace {
 constexpr int kCircleSides = 24;
 
 bool hasRoom(const visualization_msgs::Marker& list, size_t points) {
-  return list.points.size() + points <= kMaxPoints;
+  return list.points.size() + points < kMaxPoints;
 }
 
 void add(const Point& point, const std_msgs::ColorRGBA& color, visualization_msgs::Marker& list) {

@@ -72,6 +72,7 @@ void NavigationDisplay::clearPlans() {
   }
   global_plan_.publish(toMessage(std::vector<Point>(), header()));
   local_plan_.publish(toMessage(std::vector<Point>(), header()));
+  if (search_tree_.getNumSubscribers() == 0) return;
   search_tree_.publish(treeMarkers(TreeView(), symbol_size_, header()));
 }
 

@@ -17,7 +17,7 @@ void expectSound(const MarkerArray& array) {
   EXPECT_LE(array.markers.size(), 5u);
   for (size_t i = 1; i < array.markers.size(); ++i) {
     const Marker& marker = array.markers[i];
-    EXPECT_LE(marker.points.size(), kMaxPoints);
+    EXPECT_LT(marker.points.size(), kMaxPoints);
     EXPECT_EQ(marker.points.size(), marker.colors.size());
     EXPECT_GT(marker.scale.x, 0.0);
     EXPECT_DOUBLE_EQ(marker.pose.orientation.w, 1.0);

@@ -14,7 +14,7 @@
 namespace pomdp_crowd_nav {
 
 // Pictures for RViz. Each array replaces the one before: it begins with DELETEALL and holds a few
-// list markers of at most kMaxPoints points; what does not fit is left out.
+// list markers of less than kMaxPoints points; what does not fit is left out.
 constexpr size_t kMaxPoints = 16384;
 
 // Size [m] of a person's symbol that is well seen when all of the field is: a little larger than
