@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <ros/ros.h>
+#include <ros/xmlrpc_manager.h>
 
 #include <chrono>
 #include <csignal>
@@ -15,6 +16,12 @@ volatile std::sig_atomic_t is_interrupted = 0;
 
 void interrupt(int) { is_interrupted = 1; }
 
+// As roscpp answers `rosnode kill` and the master, but not before the base is stopped.
+void onShutdown(XmlRpc::XmlRpcValue&, XmlRpc::XmlRpcValue& result) {
+  is_interrupted = 1;
+  result = ros::xmlrpc::responseInt(1, "", 0);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -27,6 +34,8 @@ int main(int argc, char** argv) {
                                              pomdp_crowd_nav::loadPlannerNodeParams(reader));
     std::signal(SIGINT, interrupt);  // the base is stopped before the node goes
     std::signal(SIGTERM, interrupt);
+    ros::XMLRPCManager::instance()->unbind("shutdown");
+    ros::XMLRPCManager::instance()->bind("shutdown", onShutdown);
     ros::AsyncSpinner spinner(4);
     spinner.start();
     while (ros::ok() && !is_interrupted) std::this_thread::sleep_for(std::chrono::milliseconds(20));
