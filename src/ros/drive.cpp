@@ -96,7 +96,7 @@ StopCause missingInput(const Inputs& inputs, const InputLimits& limits, double n
     return jumped ? StopCause::kJumped : StopCause::kNoPeople;
   }
   if (inputs.tracks_at - inputs.first_tracks_at < limits.watching) {
-    return StopCause::kWatchingPeople;
+    return jumped ? StopCause::kJumped : StopCause::kWatchingPeople;
   }
   return StopCause::kNone;
 }

@@ -70,7 +70,10 @@ TEST_F(InputsTest, ClockThatJumpsBackStopsTheBaseAndTheTripGoesOn) {
 
 TEST_F(InputsTest, PoseThatJumpsStopsTheBaseAndTheTripGoesOn) {
   robot_.x_offset = 5.0;
-  EXPECT_TRUE(client_.waitForStop(3.0, "pose jumped")) << client_.status().stop_cause;
+  EXPECT_TRUE(client_.waitUntil(2.0, [this] {
+    return client_.status().stop_cause.find("pose jumped") != std::string::npos;
+  }));
+  EXPECT_TRUE(client_.waitForRest(2.0));
   EXPECT_TRUE(client_.waitForMotion(8.0)) << client_.status().stop_cause;
 }
 
