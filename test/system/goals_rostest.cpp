@@ -67,7 +67,7 @@ TEST_F(GoalsTest, CancelOfAGoalThatIsStillCheckedIsNotLost) {
   client_.send(3.0, 0.0, "odom", soon);
   client_.cancel();
   ASSERT_TRUE(client_.waitForEnd(5.0));
-  EXPECT_NE(client_.state(), NavigationClient::State::REJECTED) << client_.text();
+  EXPECT_EQ(client_.state(), NavigationClient::State::RECALLED) << client_.text();
   EXPECT_TRUE(client_.waitForRest(1.0));
 }
 
