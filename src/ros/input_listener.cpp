@@ -71,13 +71,13 @@ void InputListener::onPersons(const TrackedPersons& persons) {
   if (!frame) return countTransformFailure(persons.header.frame_id);
   drive_.with([&](Drive& drive) {
     Inputs& inputs = drive.inputs;
-    inputs.tracks = toTracks(persons, *frame);
     constexpr double kGap = 1.0;  // [s], a longer silence breaks the series
     const bool continues = inputs.tracks_at >= 0.0 && measured_at - inputs.tracks_at < kGap;
     if (!continues) inputs.first_tracks_at = measured_at;
     inputs.tracks_at = measured_at;
-    tracker_.update(inputs.tracks);
+    tracker_.update(toTracks(persons, *frame));
     inputs.crowd = tracker_.belief();
+    inputs.tracks = tracksOf(inputs.crowd);
   });
 }
 
