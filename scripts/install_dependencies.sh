@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # Installs what Debian 12 needs to build, test and run this package; asks apt only for what is
-# missing. Run alone: scripts/install_dependencies.sh [--rviz] [--help]. The other scripts source it.
+# missing. Run alone: scripts/install_dependencies.sh [--rviz]. The other scripts source it.
 
 BUILD_PACKAGES=(
   g++ cmake ninja-build catkin
