@@ -2,8 +2,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <chrono>
 #include <cstdio>
+#include <cstring>
 #include <fstream>
 #include <map>
 #include <thread>
@@ -73,6 +75,15 @@ EpisodeParams loadEpisodeParams(const Options& options) {
   return params;
 }
 
+// Results that are there already are never overwritten.
+std::FILE* openOutput(const std::string& path) {
+  if (path.empty()) return stdout;
+  std::FILE* file = std::fopen(path.c_str(), "wx");
+  if (file != nullptr) return file;
+  throw std::runtime_error(fmt::format("--output: cannot write '{}': {}", path,
+                                       errno == EEXIST ? "it exists" : std::strerror(errno)));
+}
+
 // Progress and time left, on standard error.
 class Progress {
  public:
@@ -101,10 +112,7 @@ void run(const Options& options) {
     worlds.emplace(name, world);
   }
   const std::vector<Trial> trials = options.plan.trials();
-  std::FILE* out = options.output.empty() ? stdout : std::fopen(options.output.c_str(), "w");
-  if (out == nullptr) {
-    throw std::runtime_error(fmt::format("--output: cannot write '{}'", options.output));
-  }
+  std::FILE* out = openOutput(options.output);
   fmt::print(out, "{}\n", csvHeader());
   const Progress progress(trials.size());
   size_t done = 0;
