@@ -77,8 +77,7 @@ StepMotion stepMotion(const VehicleParams& params, const VehicleState& from, dou
   StepMotion motion;
   motion.start = from.position;
   motion.start_velocity = from.velocity();
-  motion.end_heading =
-      turnToward(from.heading, heading, maxTurnChord(params, from.speed, step));
+  motion.end_heading = turnToward(from.heading, heading, maxTurnChord(params, from.speed, step));
   motion.end_velocity = speed * unitVector(motion.end_heading);
   motion.duration = step;
   motion.instant = params.instant_velocity;
