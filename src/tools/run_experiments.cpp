@@ -12,6 +12,7 @@
 
 #include "pomdp_crowd_nav/evaluation/experiment.h"
 #include "pomdp_crowd_nav/params/yaml_param_reader.h"
+#include "pomdp_crowd_nav/planner/planner_factory.h"
 
 using namespace pomdp_crowd_nav;
 
@@ -32,8 +33,11 @@ void addOptions(CLI::App& app, Options& options) {
   app.add_option("--worlds", options.plan.worlds, "Names in config/worlds, or yaml files")
       ->capture_default_str();
   app.add_option("--pedestrians", options.plan.pedestrians, "Sizes of the crowd")
+      ->check(CLI::Range(0, 10000))
       ->capture_default_str();
-  app.add_option("--planners", options.plan.planners, "Planners to compare")->capture_default_str();
+  app.add_option("--planners", options.plan.planners, "Planners to compare")
+      ->check(CLI::IsMember(plannerNames()))
+      ->capture_default_str();
   app.add_option("--runs", options.plan.runs, "Episodes of each combination")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
