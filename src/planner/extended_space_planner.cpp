@@ -64,7 +64,7 @@ StepMotion ExtendedSpacePlanner::motionOf(const Action& action, const VehicleSta
   double heading = vehicle.heading + action.turn;
   const bool follows = action.heading == Action::Heading::kFollowPrior;
   if (follows) {
-    const NavigationCell& here = field_.at(state.x, state.y);
+    const NavigationCell here = field_.at(state.x, state.y);
     heading = std::atan2(here.direction_y, here.direction_x);
   }
   StepMotion motion = stepMotion(model.vehicle, vehicle, heading, speed, model.step);
@@ -128,7 +128,7 @@ std::vector<Point> ExtendedSpacePlanner::globalPath(const Point& from) const {
       path.push_back(field_.goal());
       break;
     }
-    const NavigationCell& cell =
+    const NavigationCell cell =
         field_.at(static_cast<float>(here.x()), static_cast<float>(here.y()));
     const Point direction(cell.direction_x, cell.direction_y);
     if (direction.isZero()) break;

@@ -22,6 +22,21 @@ std::uint64_t addCell(std::uint64_t key, const CrowdFutures::Place& place) {
   return key ^ (key >> 29);
 }
 
+CrowdFutures::Place placeAt(const Point& position) {
+  const auto x = static_cast<float>(position.x());
+  const auto y = static_cast<float>(position.y());
+  return {x, y, x, y};
+}
+
+void setMiddle(CrowdFutures::Place& from, const CrowdFutures::Place& to) {
+  from.mid_x = 0.5F * (from.x + to.x);
+  from.mid_y = 0.5F * (from.y + to.y);
+}
+
+float distanceSq(const CrowdFutures::Place& a, const CrowdFutures::Place& b) {
+  return (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
+}
+
 }  // namespace
 
 void CrowdFutures::draw(const Shape& shape, const std::vector<PersonBelief>& people,
@@ -34,20 +49,28 @@ void CrowdFutures::draw(const Shape& shape, const std::vector<PersonBelief>& peo
   places_.resize(moments * person_count_);
   observations_.assign(moments, 0xCBF29CE484222325ULL);
 
+  float longest_stride_sq = 0.0F;
   for (int k = 0; k < scenario_count_; ++k) {
     for (int i = 0; i < person_count_; ++i) {
       const size_t destination = people[i].intention.sample(noise.uniform(k, kDestinationDepth, i));
       Pedestrian walker{people[i].position, destinations[destination], people[i].speed};
+      Place* last = nullptr;
       for (int d = 0; d <= depth_; ++d) {
         const size_t moment = static_cast<size_t>(k) * (depth_ + 1) + d;
         Place& place = places_[moment * person_count_ + i];
-        place = {static_cast<float>(walker.position.x()), static_cast<float>(walker.position.y())};
+        place = placeAt(walker.position);
+        if (last != nullptr) {
+          longest_stride_sq = std::max(longest_stride_sq, distanceSq(*last, place));
+          setMiddle(*last, place);
+        }
+        last = &place;
         observations_[moment] = addCell(observations_[moment], place);
         const double draw = 2.0 * noise.uniform(k, d + 1, i) - 1.0;
         walker.position = clampTo(shape.bounds, model.advance(walker, shape.step, draw));
       }
     }
   }
+  longest_stride_ = std::sqrt(longest_stride_sq);
 }
 
 }  // namespace pomdp_crowd_nav

@@ -6,8 +6,6 @@
 namespace pomdp_crowd_nav {
 namespace {
 
-constexpr float kFarAwaySq = std::numeric_limits<float>::max();
-
 float nearestSq(const CrowdFutures::Place* people, int count, float x, float y) {
   float nearest = kFarAwaySq;
   for (int i = 0; i < count; ++i) {
@@ -40,7 +38,7 @@ CrowdModel::CrowdModel(const ModelParams& params, const NavigationField& field,
 }
 
 const std::vector<Action>& CrowdModel::legalActions(const RobotState& state) const {
-  const NavigationCell& here = field_.at(state.x, state.y);
+  const NavigationCell here = field_.at(state.x, state.y);
   const bool has_way = here.direction_x != 0.0F || here.direction_y != 0.0F;
   return action_sets_.legal(state.speed > 0.0F, has_way);
 }
@@ -77,6 +75,7 @@ void CrowdModel::expand(const RobotState* states, const int* scenarios, int coun
     const float start_sq =
         nearestSq(futures_.at(scenario, depth), futures_.personCount(), state.x, state.y);
     kernel_.evaluate(evaluation, moves, start_sq, scenario, depth, outcome, out.model_steps);
+    addBeyondHorizon(outcome);
     const std::uint64_t observation = futures_.observation(scenario, depth + 1);
     for (int a = 0; a < action_count; ++a) {
       Branch& branch = out.branches[static_cast<size_t>(a) * count + i];
@@ -84,7 +83,9 @@ void CrowdModel::expand(const RobotState* states, const int* scenarios, int coun
       branch.terminal = outcome.terminal[a] != 0;
       branch.observation = observation;
       branch.upper = uppers[a];
-      fillLower(outcome, a, branch);
+      for (int p = 0; p < constants_.policy_count; ++p) {
+        branch.lower[p] = branch.terminal ? 0.0F : outcome.values[p * kMaxActions + a];
+      }
     }
   }
   out.model_steps += static_cast<long>(action_count) * count;
@@ -107,13 +108,11 @@ void CrowdModel::prepareMoves(const RobotState& state, const std::vector<Action>
   }
 }
 
-void CrowdModel::fillLower(const ScenarioOutcome& outcome, int a, Branch& branch) const {
-  for (int p = 0; p < (constants_.has_bold ? 2 : 1); ++p) {
-    const ScenarioOutcome::Rollouts& rollouts = outcome.rollouts[p];
-    branch.lower[p] = rollouts.value[a];
-    if (rollouts.reached_horizon[a] == 0) continue;
-    branch.lower[p] += rollouts.discount *
-                       beyondHorizon({rollouts.x[a], rollouts.y[a], 1.0F, 0.0F, rollouts.speed[a]});
+void CrowdModel::addBeyondHorizon(ScenarioOutcome& outcome) const {
+  const RolloutBatch& ends = outcome.rollouts;
+  for (int i = 0; i < ends.count; ++i) {
+    outcome.values[ends.origin[i]] +=
+        ends.discount * beyondHorizon({ends.x[i], ends.y[i], 1.0F, 0.0F, ends.speed[i]});
   }
 }
 
@@ -122,7 +121,7 @@ void CrowdModel::rootBounds(const RobotState* states, const int* scenarios, int 
   const RobotState& state = states[0];
   const FieldLanes<float> here = lookUp(field_, state.x, state.y);
   double values[kDefaultPolicies] = {0.0, 0.0};
-  const int policies = constants_.has_bold ? 2 : 1;
+  const int policies = constants_.policy_count;
   for (int i = 0; i < count; ++i) {
     const float start_sq =
         nearestSq(futures_.at(scenarios[i], 0), futures_.personCount(), state.x, state.y);
@@ -136,16 +135,17 @@ void CrowdModel::rootBounds(const RobotState* states, const int* scenarios, int 
 
 float CrowdModel::rollOutOne(const RobotState& state, const FieldLanes<float>& here, float start_sq,
                              int scenario, int depth, int policy) const {
-  RolloutStart<float> start{
-      {state.x, state.y, state.direction_x, state.direction_y, state.speed}, here, start_sq, true};
-  float discount = 1.0F;
+  RolloutBatch batch;
+  batch.start(depth);
+  addRollout(
+      {{state.x, state.y, state.direction_x, state.direction_y, state.speed}, here, start_sq},
+      constants_.rules[policy], 0, batch);
+  float value = 0.0F;
   long steps = 0;
-  const float value =
-      rollOut<float>(constants_, policy == 0 ? constants_.reactive : constants_.bold, field_,
-                     futures_, scenario, depth, start, discount, steps);
-  if (!start.alive) return value;
+  rollOut<float>({constants_, field_, futures_, scenario}, batch, &value, steps);
+  if (batch.count == 0) return value;
   return value +
-         discount * beyondHorizon({start.robot.x, start.robot.y, 1.0F, 0.0F, start.robot.speed});
+         batch.discount * beyondHorizon({batch.x[0], batch.y[0], 1.0F, 0.0F, batch.speed[0]});
 }
 
 MoveLanes<float> CrowdModel::moveOne(const RobotState& state, const Action& action) const {
@@ -186,7 +186,7 @@ Branch CrowdModel::step(const RobotState& state, int scenario, int depth, const 
   branch.terminal = arrived || collides;
   branch.observation = futures_.observation(scenario, depth + 1);
   if (branch.terminal) return branch;
-  for (int p = 0; p < (c.has_bold ? 2 : 1); ++p) {
+  for (int p = 0; p < c.policy_count; ++p) {
     branch.lower[p] = rollOutOne(next, move.field, end_sq, scenario, depth + 1, p);
   }
   branch.upper = upper_bound_.value(next);
@@ -214,9 +214,9 @@ Action CrowdModel::defaultAction(const RobotState* state) const {
     start_sq = nearestSq(futures_.at(k, 0), futures_.personCount(), state->x, state->y);
   }
   const bool moving = state->speed > 0.0F;
-  const NavigationCell& here = field_.at(state->x, state->y);
+  const NavigationCell here = field_.at(state->x, state->y);
   const bool has_way = here.direction_x != 0.0F || here.direction_y != 0.0F;
-  if (start_sq < constants_.reactive.near_sq || !has_way)
+  if (start_sq < constants_.rules[0].near_sq || !has_way)
     return Action::turnBy(0.0, moving ? -1 : 0);
   return Action::followPrior(moving ? 0 : 1);
 }

@@ -8,6 +8,7 @@
 
 #pragma GCC target("avx2")
 
+#define PCN_HAS_AVX2  // for lanes.h; the compiler's own macro is not set by the pragma everywhere
 #include "pomdp_crowd_nav/pomdp/lane_kernel.h"
 
 #define PCN_KERNEL kLaneKernelAvx2

@@ -8,6 +8,7 @@
 
 #pragma GCC target("avx512f,avx512dq,avx512vl,avx512bw")
 
+#define PCN_HAS_AVX512  // for lanes.h; the compiler's own macro is not set by the pragma everywhere
 #include "pomdp_crowd_nav/pomdp/lane_kernel.h"
 
 #define PCN_KERNEL kLaneKernelAvx512

@@ -54,30 +54,23 @@ void moveActions(const Evaluation& e, ActionMoves& moves) {
   }
 }
 
-// Lanes a, a + 1, ... that hold an action.
-Mask usedLanes(int a, int count) {
-  Mask used{};
-  for (int i = 0; i < kLanesOf<Value>; ++i) used[i] = a + i < count ? -1 : 0;
-  return used;
-}
-
-void rollOutActions(const Evaluation& e, const MoveLanes<Value>& move, const Value& end_sq,
-                    const Mask& alive, int scenario, int depth, int a, ScenarioOutcome& out,
-                    long& steps) {
+// The roll-outs of one scenario: from where every action ends that did not end it, under every
+// policy. `nearest_sq` is to the nearest person there [m^2].
+void rollOutActions(const Evaluation& e, const ActionMoves& moves, const float* nearest_sq,
+                    int scenario, ScenarioOutcome& out, long& steps) {
   const StepConstants& c = e.constants;
-  for (int p = 0; p < (c.has_bold ? 2 : 1); ++p) {
-    ScenarioOutcome::Rollouts& rollouts = out.rollouts[p];
-    RolloutStart<Value> start{move.end, move.field, end_sq, alive};
-    float discount = 1.0F;
-    store(rollOut<Value>(c, p == 0 ? c.reactive : c.bold, e.field, e.futures, scenario, depth,
-                         start, discount, steps),
-          rollouts.value + a);
-    store(start.robot.x, rollouts.x + a);
-    store(start.robot.y, rollouts.y + a);
-    store(start.robot.speed, rollouts.speed + a);
-    store(start.alive, rollouts.reached_horizon + a);
-    if (anyOf(start.alive)) rollouts.discount = discount;
+  for (int p = 0; p < c.policy_count; ++p) {
+    for (int a = 0; a < moves.count; ++a) {
+      if (out.terminal[a] != 0) continue;
+      addRollout(
+          {{moves.end_x[a], moves.end_y[a], moves.end_direction_x[a], moves.end_direction_y[a],
+            moves.speed[a]},
+           {moves.field_direction_x[a], moves.field_direction_y[a], moves.field_clearance[a]},
+           nearest_sq[a]},
+          c.rules[p], p * kMaxActions + a, out.rollouts);
+    }
   }
+  rollOut<Value>({c, e.field, e.futures, scenario}, out.rollouts, out.values, steps);
 }
 
 void evaluateScenario(const Evaluation& e, const ActionMoves& moves, float start_sq, int scenario,
@@ -85,23 +78,24 @@ void evaluateScenario(const Evaluation& e, const ActionMoves& moves, float start
   const StepConstants& c = e.constants;
   const RobotLanes<Value> robot = everywhere(moves.robot);
   const Mask arrived = moves.arrived ? ~Mask{} : Mask{};
+  alignas(64) ActionFloats nearest_sq;
   for (int a = 0; a < moves.count; a += kLanesOf<Value>) {
     const MoveLanes<Value> move = loadMove(moves, a);
-    Value mid_sq = spread<Value>(std::numeric_limits<float>::max());
+    Value mid_sq = spread<Value>(kFarAwaySq);
     Value end_sq = mid_sq;
     meetPeople(move, e.futures.at(scenario, depth), e.futures.at(scenario, depth + 1),
                e.futures.personCount(), mid_sq, end_sq);
     Mask collides;
     const Value penalty =
         collisionPenalty(c, robot, move, spread<Value>(start_sq), mid_sq, end_sq, collides);
-    const Mask terminal = arrived | collides;
     store(stepCost(c, robot.speed) + load<Value>(moves.brake_penalty + a) +
               select(arrived, spread<Value>(c.goal_reward), penalty),
           out.reward + a);
-    store(terminal, out.terminal + a);
-    rollOutActions(e, move, end_sq, usedLanes(a, moves.count) & ~terminal, scenario, depth + 1, a,
-                   out, steps);
+    store(arrived | collides, out.terminal + a);
+    store(end_sq, nearest_sq + a);
   }
+  out.rollouts.start(depth + 1);
+  rollOutActions(e, moves, nearest_sq, scenario, out, steps);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pomdp_crowd_nav/pomdp/step_kernel.h"
 
+#include <algorithm>
+
 namespace pomdp_crowd_nav {
 namespace {
 
@@ -30,9 +32,12 @@ StepConstants::StepConstants(const ModelParams& p, const NavigationField& field)
   max_y = static_cast<float>(field.bounds().max.y());
   pedestrian_clearance_sq = square(p.pedestrianClearance());
   obstacle_clearance = static_cast<float>(p.obstacleClearance());
-  reactive = {square(p.near_distance), square(p.far_distance)};
-  bold = {square(p.bold_distance), square(p.bold_distance)};
-  has_bold = p.bold_rollouts;
+  rules[0] = {square(p.near_distance), square(p.far_distance)};
+  rules[1] = {square(p.bold_distance), square(p.bold_distance)};
+  policy_count = p.bold_rollouts ? 2 : 1;
+  reach = static_cast<float>(0.01 +
+                             std::max({p.far_distance, p.bold_distance, p.pedestrianClearance()}));
+  longest_stride = static_cast<float>(v.max_speed * p.step);
   goal_reward = static_cast<float>(p.reward.goal);
   pedestrian_penalty = static_cast<float>(p.reward.pedestrian);
   obstacle_penalty = static_cast<float>(p.reward.obstacle);

@@ -2,6 +2,7 @@
 #include "pomdp_crowd_nav/prior/navigation_field.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "pomdp_crowd_nav/prior/grid_frame.h"
 
@@ -11,34 +12,47 @@ namespace {
 // Stands for infinity: stays finite in whatever the search computes from it.
 constexpr double kFar = 1e6;  // [m]
 
-NavigationCell sample(const RolloutPrior& prior, const StaticMap& map, const Point& point) {
-  NavigationCell cell;
-  if (const auto direction = prior.directionAt({point, 0.0})) {
-    const Point way = unitVector(*direction);
-    cell.direction_x = static_cast<float>(way.x());
-    cell.direction_y = static_cast<float>(way.y());
-  }
-  cell.clearance = static_cast<float>(std::min(kFar, map.clearance(point)));
-  cell.distance_to_goal = static_cast<float>(std::min(kFar, prior.distanceToGoal(point)));
-  return cell;
-}
+float finite(double distance) { return static_cast<float>(std::min(kFar, distance)); }
 
 }  // namespace
+
+PackedDirection packDirection(double x, double y) {
+  const auto low = static_cast<std::uint32_t>(std::lround(x / kPackedUnit)) & 0xFFFFU;
+  const auto high = static_cast<std::uint32_t>(std::lround(y / kPackedUnit)) << 16;
+  return static_cast<PackedDirection>(high | low);
+}
 
 NavigationField::NavigationField(const RolloutPrior& prior, const StaticMap& map, double resolution)
     : bounds_(map.bounds()), goal_(prior.goal()), has_obstacles_(map.hasObstacles()) {
   const GridFrame grid = coveringGrid(bounds_, resolution);
-  min_x_ = static_cast<float>(grid.origin.x());
-  min_y_ = static_cast<float>(grid.origin.y());
-  cells_per_meter_ = static_cast<float>(1.0 / resolution);
-  columns_ = grid.columns;
-  rows_ = grid.rows;
-  cells_.reserve(grid.cellCount());
-  for (int row = 0; row < rows_; ++row) {
-    for (int column = 0; column < columns_; ++column) {
-      cells_.push_back(sample(prior, map, grid.center(column, row)));
+  raster_.min_x = static_cast<float>(grid.origin.x());
+  raster_.min_y = static_cast<float>(grid.origin.y());
+  raster_.cells_per_meter = static_cast<float>(1.0 / resolution);
+  raster_.last_column = static_cast<float>(grid.columns - 1);
+  raster_.last_row = static_cast<float>(grid.rows - 1);
+  raster_.columns = grid.columns;
+  const size_t count = grid.cellCount();
+  directions_.reserve(count);
+  clearances_.reserve(count);
+  distances_.reserve(count);
+  for (int row = 0; row < grid.rows; ++row) {
+    for (int column = 0; column < grid.columns; ++column) {
+      const Point center = grid.center(column, row);
+      const auto direction = prior.directionAt({center, 0.0});
+      const Point way = direction ? unitVector(*direction) : Point(0.0, 0.0);
+      directions_.push_back(packDirection(way.x(), way.y()));
+      clearances_.push_back(finite(map.clearance(center)));
+      distances_.push_back(finite(prior.distanceToGoal(center)));
     }
   }
+}
+
+NavigationCell NavigationField::at(float x, float y) const {
+  const auto cell = static_cast<size_t>(cellOf(x, y));
+  const auto direction = static_cast<std::uint32_t>(directions_[cell]);
+  return {static_cast<float>(static_cast<std::int16_t>(direction & 0xFFFFU)) * kPackedUnit,
+          static_cast<float>(static_cast<std::int16_t>(direction >> 16)) * kPackedUnit,
+          clearances_[cell], distances_[cell]};
 }
 
 }  // namespace pomdp_crowd_nav

@@ -78,8 +78,8 @@ class ReferenceModel {
     return true;
   }
 
-  const NavigationCell& cell(const Point& point) {
-    const double scale = field_.cellsPerMeter();
+  NavigationCell cell(const Point& point) {
+    const double scale = field_.raster().cells_per_meter;
     for (const double place : {(point.x() - field_.bounds().min.x()) * scale,
                                (point.y() - field_.bounds().min.y()) * scale}) {
       margin_ = std::min(margin_, std::abs(place - std::round(place)) / scale);
@@ -88,7 +88,7 @@ class ReferenceModel {
   }
 
   double priorHeading(const Point& point) {
-    const NavigationCell& here = cell(point);
+    const NavigationCell here = cell(point);
     return std::atan2(here.direction_y, here.direction_x);
   }
 
@@ -214,7 +214,7 @@ class ReferenceModel {
     double discount = 1.0;
     for (; moment.depth < futures_.depth(); ++moment.depth) {
       ++steps;
-      const NavigationCell& here = cell(moment.robot.position);
+      const NavigationCell here = cell(moment.robot.position);
       const bool has_way = here.direction_x != 0.0F || here.direction_y != 0.0F;
       const double distance = nearest(moment.robot.position, moment, 0.0);
       const double speed_step = p_.vehicle.acceleration * p_.step;

@@ -22,16 +22,16 @@ TEST(NavigationFieldTest, HoldsPriorAndClearanceOfTheCellCentres) {
   const StaticMap map = discMap();
   const FastMarchingPrior prior(map, {24.0, 12.0}, PriorParams());
   const NavigationField field(prior, map, 0.5);
-  ASSERT_EQ(field.columns(), 60);
-  ASSERT_EQ(field.rows(), 40);
-  EXPECT_FLOAT_EQ(field.cellsPerMeter(), 2.0F);
+  ASSERT_EQ(field.raster().columns, 60);
+  ASSERT_EQ(field.raster().last_row, 39.0F);
+  EXPECT_FLOAT_EQ(field.raster().cells_per_meter, 2.0F);
   for (double x = -4.75; x < 25.0; x += 1.5) {
     for (double y = 0.25; y < 20.0; y += 1.5) {
-      const NavigationCell& cell =
+      const NavigationCell cell =
           field.at(static_cast<float>(x + 0.2), static_cast<float>(y - 0.2));
       const Point way = unitVector(*prior.directionAt({{x, y}, 0.0}));
-      EXPECT_NEAR(cell.direction_x, way.x(), 1e-6);
-      EXPECT_NEAR(cell.direction_y, way.y(), 1e-6);
+      EXPECT_NEAR(cell.direction_x, way.x(), 2e-5);
+      EXPECT_NEAR(cell.direction_y, way.y(), 2e-5);
       EXPECT_NEAR(cell.clearance, map.clearance({x, y}), 1e-5);
       EXPECT_NEAR(cell.distance_to_goal, prior.distanceToGoal({x, y}), 1e-5);
     }
@@ -41,10 +41,19 @@ TEST(NavigationFieldTest, HoldsPriorAndClearanceOfTheCellCentres) {
 TEST(NavigationFieldTest, PlacesOffTheMapReadTheBorderCell) {
   const StaticMap map = discMap();
   const NavigationField field(StraightLinePrior({24.0, 12.0}), map, 0.5);
-  EXPECT_EQ(&field.at(-7.0F, -1.0F), field.cells());
-  EXPECT_EQ(&field.at(25.0F, 20.0F), field.cells() + 60 * 40 - 1);
-  EXPECT_EQ(&field.at(99.0F, 0.1F), field.cells() + 59);
-  EXPECT_EQ(&field.at(std::numeric_limits<float>::quiet_NaN(), 0.1F), field.cells());
+  EXPECT_EQ(field.cellOf(-7.0F, -1.0F), 0);
+  EXPECT_EQ(field.cellOf(25.0F, 20.0F), 60 * 40 - 1);
+  EXPECT_EQ(field.cellOf(99.0F, 0.1F), 59);
+  EXPECT_EQ(field.cellOf(std::numeric_limits<float>::quiet_NaN(), 0.1F), 0);
+  EXPECT_EQ(field.cellOf(0.1F, std::numeric_limits<float>::infinity()), 60 * 39 + 10);
+}
+
+TEST(NavigationFieldTest, DirectionsArePackedIntoOneWord) {
+  EXPECT_EQ(packDirection(0.0, 0.0), 0);
+  EXPECT_EQ(packDirection(1.0, 0.0), 0x00007FFF);
+  EXPECT_EQ(packDirection(0.0, 1.0), 0x7FFF0000);
+  EXPECT_EQ(packDirection(-1.0, 0.0), 0x00008001);
+  EXPECT_EQ(static_cast<std::uint32_t>(packDirection(0.0, -1.0)), 0x80010000U);
 }
 
 TEST(NavigationFieldTest, CarriesGoalAndBounds) {
@@ -70,7 +79,7 @@ class LostPrior : public RolloutPrior {
 
 TEST(NavigationFieldTest, InfinitiesBecomeLargeNumbers) {
   const NavigationField field(LostPrior(), StaticMap(Bounds{{0.0, 0.0}, {5.0, 5.0}}, {}), 0.5);
-  const NavigationCell& cell = field.at(2.0F, 2.0F);
+  const NavigationCell cell = field.at(2.0F, 2.0F);
   EXPECT_EQ(cell.direction_x, 0.0F);
   EXPECT_EQ(cell.direction_y, 0.0F);
   EXPECT_EQ(cell.clearance, 1e6F);

@@ -27,6 +27,8 @@ class CrowdFutures {
   struct Place {
     float x = 0.0F;  // [m]
     float y = 0.0F;
+    float mid_x = 0.0F;  // half a step later, on the straight way to the next place
+    float mid_y = 0.0F;
   };
 
   // Draws the table, reusing memory. `start` is where the people are when the first step begins.
@@ -37,6 +39,7 @@ class CrowdFutures {
   int personCount() const { return person_count_; }
   int depth() const { return depth_; }
   int scenarioCount() const { return scenario_count_; }
+  float longestStride() const { return longest_stride_; }  // [m], of anybody in one step
 
   // personCount() places, depth 0 is now.
   const Place* at(int scenario, int depth) const {
@@ -53,6 +56,7 @@ class CrowdFutures {
   int scenario_count_ = 0;
   int depth_ = 0;
   int person_count_ = 0;
+  float longest_stride_ = 0.0F;
   std::vector<Place> places_;
   std::vector<std::uint64_t> observations_;
 };

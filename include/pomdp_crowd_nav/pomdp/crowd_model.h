@@ -51,7 +51,7 @@ class CrowdModel {
  private:
   void prepareMoves(const RobotState& state, const std::vector<Action>& actions,
                     ActionMoves& moves) const;
-  void fillLower(const ScenarioOutcome& outcome, int a, Branch& branch) const;
+  void addBeyondHorizon(ScenarioOutcome& outcome) const;
   MoveLanes<float> moveOne(const RobotState& state, const Action& action) const;
   float rollOutOne(const RobotState& state, const FieldLanes<float>& here, float start_sq,
                    int scenario, int depth, int policy) const;

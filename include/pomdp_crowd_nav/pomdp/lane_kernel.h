@@ -34,15 +34,11 @@ struct ActionMoves {
 
 // What the actions bring in one scenario.
 struct ScenarioOutcome {
-  struct Rollouts {
-    alignas(64) ActionFloats value;
-    alignas(64) ActionFloats x, y, speed;  // where they ended
-    alignas(64) ActionFlags reached_horizon;
-    float discount = 1.0F;  // left at the horizon
-  };
   alignas(64) ActionFloats reward;
   alignas(64) ActionFlags terminal;
-  Rollouts rollouts[kDefaultPolicies];
+  // Discounted return of roll-out p * kMaxActions + a: action a, then policy p to the horizon.
+  alignas(64) float values[kMaxRollouts];
+  RolloutBatch rollouts;  // holds those that have reached the horizon
 };
 
 // What a kernel needs of its surroundings.

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
+#if defined(PCN_HAS_AVX2) || defined(PCN_HAS_AVX512)
+#include <immintrin.h>
+#endif
+
 // Several floats that are computed with at once, as the compiler's own vector types. Each kernel
 // uses the one that fills a register of its instruction set; a wider one would be taken apart lane
 // by lane. Every function works on a single float too, so that the same formula runs vectorised in
@@ -73,12 +78,64 @@ PCN_INLINE Mask loadMask(const int* lanes) {
   __builtin_memcpy(&mask, lanes, sizeof(Mask));
   return mask;
 }
+template <>
+PCN_INLINE bool loadMask<bool>(const int* lanes) {
+  return *lanes != 0;
+}
 // Values and masks alike.
 template <class Lanes, class Scalar>
 PCN_INLINE void store(const Lanes& lanes, Scalar* to) {
   static_assert(sizeof(Scalar) == 4, "one word a lane");
   __builtin_memcpy(to, &lanes, sizeof(Lanes));
 }
+PCN_INLINE void store(bool mask, int* to) { *to = mask ? -1 : 0; }
+
+// What a table of words says at each lane's index. Compilers make poor code of the loop where the
+// machine has an instruction for it.
+template <class Mask>
+PCN_INLINE Mask gather(const std::int32_t* table, const Mask& indices) {
+  constexpr int kCount = sizeof(Mask) / sizeof(int);
+  int words[kCount];
+  store(indices, words);
+  for (int& word : words) word = table[word];
+  return loadMask<Mask>(words);
+}
+#ifdef PCN_HAS_AVX2
+PCN_INLINE Mask8 gather(const std::int32_t* table, const Mask8& indices) {
+  return reinterpret_cast<Mask8>(
+      _mm256_i32gather_epi32(table, reinterpret_cast<__m256i>(indices), 4));
+}
+#endif
+#ifdef PCN_HAS_AVX512
+PCN_INLINE Mask16 gather(const std::int32_t* table, const Mask16& indices) {
+  // The unmasked form trips the compiler's own warnings.
+  return reinterpret_cast<Mask16>(_mm512_mask_i32gather_epi32(
+      _mm512_setzero_si512(), 0xFFFF, reinterpret_cast<__m512i>(indices), table, 4));
+}
+#endif
+template <class Value>
+PCN_INLINE Value gather(const float* table, const typename MaskOf<Value>::Type& indices) {
+  const auto words = gather(reinterpret_cast<const std::int32_t*>(table), indices);
+  Value values;
+  __builtin_memcpy(&values, &words, sizeof(values));
+  return values;
+}
+
+// The smallest of all lanes.
+PCN_INLINE float smallestOf(float value) { return value; }
+PCN_INLINE float smallestOf(const Float4& value) {
+  const float a = value[0] < value[1] ? value[0] : value[1];
+  const float b = value[2] < value[3] ? value[2] : value[3];
+  return a < b ? a : b;
+}
+template <class Half, class Value>
+PCN_INLINE Half smallerHalf(const Value& value) {
+  Half halves[2];
+  __builtin_memcpy(halves, &value, sizeof(halves));
+  return smaller(halves[0], halves[1]);
+}
+PCN_INLINE float smallestOf(const Float8& value) { return smallestOf(smallerHalf<Float4>(value)); }
+PCN_INLINE float smallestOf(const Float16& value) { return smallestOf(smallerHalf<Float8>(value)); }
 
 PCN_INLINE float squareRoot(float x) { return __builtin_sqrtf(x); }
 template <class Value>
@@ -89,39 +146,18 @@ PCN_INLINE Value squareRoot(const Value& x) {
   return load<Value>(roots);
 }
 
-PCN_INLINE bool anyOf(bool mask) { return mask; }
-PCN_INLINE bool anyOf(const Mask4& mask) {
-  using Halves = long long __attribute__((vector_size(16)));
-  const Halves halves = reinterpret_cast<Halves>(mask);
-  return (halves[0] | halves[1]) != 0;
-}
-PCN_INLINE bool anyOf(const Mask8& mask) {
+// How many lanes are true.
+PCN_INLINE int countOf(bool mask) { return mask ? 1 : 0; }
+PCN_INLINE int countOf(const Mask4& mask) { return -(mask[0] + mask[1] + mask[2] + mask[3]); }
+PCN_INLINE int countOf(const Mask8& mask) {
   Mask4 halves[2];
   __builtin_memcpy(halves, &mask, sizeof(halves));
-  return anyOf(halves[0] | halves[1]);
+  return countOf(halves[0] + halves[1]);
 }
-PCN_INLINE bool anyOf(const Mask16& mask) {
+PCN_INLINE int countOf(const Mask16& mask) {
   Mask8 halves[2];
   __builtin_memcpy(halves, &mask, sizeof(halves));
-  return anyOf(halves[0] | halves[1]);
+  return countOf(halves[0] + halves[1]);
 }
-
-// Counts true lanes over many masks.
-template <class Mask>
-struct TrueCount {
-  Mask counts{};
-  PCN_INLINE void add(const Mask& mask) { counts -= mask; }
-  PCN_INLINE long total() const {
-    long sum = 0;
-    for (unsigned i = 0; i < sizeof(Mask) / sizeof(int); ++i) sum += counts[i];
-    return sum;
-  }
-};
-template <>
-struct TrueCount<bool> {
-  long count = 0;
-  PCN_INLINE void add(bool mask) { count += mask ? 1 : 0; }
-  PCN_INLINE long total() const { return count; }
-};
 
 }  // namespace pomdp_crowd_nav

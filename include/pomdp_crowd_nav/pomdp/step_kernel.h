@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "pomdp_crowd_nav/despot/expansion.h"
 #include "pomdp_crowd_nav/pomdp/crowd_futures.h"
 #include "pomdp_crowd_nav/pomdp/lanes.h"
 #include "pomdp_crowd_nav/pomdp/model_params.h"
@@ -28,8 +29,10 @@ struct StepConstants {
   float goal_x, goal_y, goal_tolerance_sq;
   float min_x, min_y, max_x, max_y;
   float pedestrian_clearance_sq, obstacle_clearance;
-  SpeedRule reactive, bold;  // of the two roll-out policies
-  bool has_bold;
+  SpeedRule rules[kDefaultPolicies];  // of the roll-outs: the paper's and a bolder one
+  int policy_count;                   // how many of them are in use
+  float reach;  // [m] who is farther away changes nothing; a little more than the distances tested
+  float longest_stride;  // [m], of the robot in a step
   float goal_reward, pedestrian_penalty, obstacle_penalty, brake_penalty;
   float time_cost, low_speed_cost;  // per step; low_speed_cost at rest
   float discount;
@@ -62,34 +65,43 @@ struct MoveLanes {
 };
 
 PCN_INLINE FieldLanes<float> lookUp(const NavigationField& field, float x, float y) {
-  const NavigationCell& cell = field.at(x, y);
+  const NavigationCell cell = field.at(x, y);
   return {cell.direction_x, cell.direction_y, cell.clearance};
+}
+
+template <class Value>
+PCN_INLINE typename MaskOf<Value>::Type cellsOf(const NavigationField& field, const Value& x,
+                                                const Value& y) {
+  using Mask = typename MaskOf<Value>::Type;
+  const NavigationField::Raster& raster = field.raster();
+  const Value zero = spread<Value>(raster.zero);
+  const Value from_left = (x - raster.min_x) * raster.cells_per_meter;
+  const Value from_bottom = (y - raster.min_y) * raster.cells_per_meter;
+  const Value column = smaller(larger(from_left, zero), spread<Value>(raster.last_column));
+  const Value row = smaller(larger(from_bottom, zero), spread<Value>(raster.last_row));
+  return __builtin_convertvector(row, Mask) * raster.columns +
+         __builtin_convertvector(column, Mask);
 }
 
 template <class Value>
 PCN_INLINE FieldLanes<Value> lookUp(const NavigationField& field, const Value& x, const Value& y) {
   using Mask = typename MaskOf<Value>::Type;
-  constexpr int kCount = kLanesOf<Value>;
-  const float scale = field.cellsPerMeter();
-  const Value zero = spread<Value>(0.0F);
-  const Value last_column = spread<Value>(static_cast<float>(field.columns() - 1));
-  const Value last_row = spread<Value>(static_cast<float>(field.rows() - 1));
-  const Value from_left = (x - static_cast<float>(field.bounds().min.x())) * scale;
-  const Value from_bottom = (y - static_cast<float>(field.bounds().min.y())) * scale;
-  const Value column = smaller(larger(from_left, zero), last_column);
-  const Value row = smaller(larger(from_bottom, zero), last_row);
-  int cells[kCount];
-  store(
-      __builtin_convertvector(row, Mask) * field.columns() + __builtin_convertvector(column, Mask),
-      cells);
-  float places[3][kCount];
-  for (int i = 0; i < kCount; ++i) {
-    const NavigationCell& place = field.cells()[cells[i]];
-    places[0][i] = place.direction_x;
-    places[1][i] = place.direction_y;
-    places[2][i] = place.clearance;
-  }
-  return {load<Value>(places[0]), load<Value>(places[1]), load<Value>(places[2])};
+  const Mask cells = cellsOf<Value>(field, x, y);
+  const Mask packed = gather(field.directions(), cells);
+  FieldLanes<Value> lanes;
+  lanes.direction_x = __builtin_convertvector((packed << 16) >> 16, Value) * kPackedUnit;
+  lanes.direction_y = __builtin_convertvector(packed >> 16, Value) * kPackedUnit;
+  lanes.clearance =
+      field.hasObstacles() ? gather<Value>(field.clearances(), cells) : spread<Value>(1e6F);
+  return lanes;
+}
+
+PCN_INLINE float clearanceAt(const NavigationField& field, float x, float y) {
+  return field.clearances()[field.cellOf(x, y)];
+}
+template <class Value>
+PCN_INLINE Value clearanceAt(const NavigationField& field, const Value& x, const Value& y) {
+  return gather<Value>(field.clearances(), cellsOf<Value>(field, x, y));
 }
 
 // R_t + R_speed: what a step costs that starts at `speed`.
@@ -128,6 +140,44 @@ PCN_INLINE void turn(const StepConstants& c, const RobotLanes<Value>& robot, Val
 // Squared cosine of the angle within which something lies ahead.
 constexpr float kAheadSq = 0.95F * 0.95F;
 
+// How far robots get in a step, and where they are half way.
+template <class Value>
+struct WayLanes {
+  using Mask = typename MaskOf<Value>::Type;
+  Value end_x, end_y, mid_x, mid_y;  // [m], from the start
+  Mask passes_goal;
+};
+
+// A base that takes any velocity at once.
+template <class Value>
+PCN_INLINE WayLanes<Value> wayAtOnce(const StepConstants& c, const Value& goal_sq,
+                                     const RobotLanes<Value>& end) {
+  const Value length = c.end_new * end.speed;
+  const Value end_x = length * end.direction_x;
+  const Value end_y = length * end.direction_y;
+  return {end_x, end_y, 0.5F * end_x, 0.5F * end_y, length * length >= goal_sq};
+}
+
+// A base whose velocity is a ramp from the old to the new; it passes only what lies ahead.
+template <class Value>
+PCN_INLINE WayLanes<Value> wayOnRamp(const StepConstants& c, const RobotLanes<Value>& robot,
+                                     const RobotLanes<Value>& end, const Value& goal_dx,
+                                     const Value& goal_dy) {
+  const Value old_x = robot.speed * robot.direction_x;
+  const Value old_y = robot.speed * robot.direction_y;
+  const Value new_x = end.speed * end.direction_x;
+  const Value new_y = end.speed * end.direction_y;
+  const Value end_x = c.end_old * old_x + c.end_new * new_x;
+  const Value end_y = c.end_old * old_y + c.end_new * new_y;
+  const Value length_sq = end_x * end_x + end_y * end_y;
+  const Value goal_sq = goal_dx * goal_dx + goal_dy * goal_dy;
+  const Value dot = end_x * goal_dx + end_y * goal_dy;
+  typename MaskOf<Value>::Type passes = length_sq >= goal_sq;
+  passes = passes & (dot > 0.0F) & (dot * dot >= kAheadSq * length_sq * goal_sq);
+  return {end_x, end_y, c.mid_old * old_x + c.mid_new * new_x,
+          c.mid_old * old_y + c.mid_new * new_y, passes};
+}
+
 // Moves robots to `new_speed` in direction (to_x, to_y). Where `stops_at_goal`, a robot that
 // would pass the goal ends on it. `here` is the field at the start.
 template <class Value>
@@ -137,41 +187,30 @@ PCN_INLINE MoveLanes<Value> moveRobots(const StepConstants& c, const NavigationF
                                        Value to_x, Value to_y,
                                        const typename MaskOf<Value>::Type& stops_at_goal) {
   if (!c.instant) turn(c, robot, to_x, to_y);
-  const Value old_x = robot.speed * robot.direction_x;
-  const Value old_y = robot.speed * robot.direction_y;
-  const Value new_x = new_speed * to_x;
-  const Value new_y = new_speed * to_y;
-  Value end_dx = c.end_old * old_x + c.end_new * new_x;
-  Value end_dy = c.end_old * old_y + c.end_new * new_y;
-  Value mid_dx = c.mid_old * old_x + c.mid_new * new_x;
-  Value mid_dy = c.mid_old * old_y + c.mid_new * new_y;
+  MoveLanes<Value> move;
+  move.end = {robot.x, robot.y, to_x, to_y, new_speed};
   const Value goal_dx = c.goal_x - robot.x;
   const Value goal_dy = c.goal_y - robot.y;
-  const Value length_sq = end_dx * end_dx + end_dy * end_dy;
-  const Value goal_sq = goal_dx * goal_dx + goal_dy * goal_dy;
-  auto passes = stops_at_goal & (length_sq >= goal_sq);
-  if (!c.instant) {  // a base with inertia passes only what lies ahead
-    const Value dot = end_dx * goal_dx + end_dy * goal_dy;
-    passes = passes & (dot > 0.0F) & (dot * dot >= kAheadSq * length_sq * goal_sq);
-  }
-  end_dx = select(passes, goal_dx, end_dx);
-  end_dy = select(passes, goal_dy, end_dy);
-  mid_dx = select(passes, 0.5F * goal_dx, mid_dx);
-  mid_dy = select(passes, 0.5F * goal_dy, mid_dy);
+  WayLanes<Value> way = c.instant
+                            ? wayAtOnce<Value>(c, goal_dx * goal_dx + goal_dy * goal_dy, move.end)
+                            : wayOnRamp<Value>(c, robot, move.end, goal_dx, goal_dy);
+  const auto passes = stops_at_goal & way.passes_goal;
+  way.end_x = select(passes, goal_dx, way.end_x);
+  way.end_y = select(passes, goal_dy, way.end_y);
+  move.mid_x = robot.x + select(passes, 0.5F * goal_dx, way.mid_x);
+  move.mid_y = robot.y + select(passes, 0.5F * goal_dy, way.mid_y);
+  move.end.x += way.end_x;
+  move.end.y += way.end_y;
 
-  MoveLanes<Value> move;
-  move.mid_x = robot.x + mid_dx;
-  move.mid_y = robot.y + mid_dy;
-  move.end = {robot.x + end_dx, robot.y + end_dy, to_x, to_y, new_speed};
-  const auto moves = (end_dx * end_dx + end_dy * end_dy) > 0.0F;
+  const auto moves = (way.end_x * way.end_x + way.end_y * way.end_y) > 0.0F;
   move.ends_outside = moves & ((move.end.x < c.min_x) | (move.end.x > c.max_x) |
                                (move.end.y < c.min_y) | (move.end.y > c.max_y));
   move.field = lookUp(field, move.end.x, move.end.y);
-  move.hits_obstacle = moves & (new_speed < 0.0F);  // nobody
+  move.hits_obstacle = typename MaskOf<Value>::Type{};
   if (c.has_obstacles) {
     // Moving out of the margin is allowed to who is in it already.
     const Value margin = smaller(spread<Value>(c.obstacle_clearance), here.clearance - 1e-3F);
-    const Value mid = lookUp(field, move.mid_x, move.mid_y).clearance;
+    const Value mid = clearanceAt(field, move.mid_x, move.mid_y);
     move.hits_obstacle = moves & ((mid <= margin) | (move.field.clearance <= margin));
   }
   return move;
@@ -183,8 +222,8 @@ template <class Value>
 PCN_INLINE void meetPeople(const MoveLanes<Value>& move, const CrowdFutures::Place* from,
                            const CrowdFutures::Place* to, int count, Value& mid_sq, Value& end_sq) {
   for (int i = 0; i < count; ++i) {
-    const Value mid_dx = move.mid_x - 0.5F * (from[i].x + to[i].x);
-    const Value mid_dy = move.mid_y - 0.5F * (from[i].y + to[i].y);
+    const Value mid_dx = move.mid_x - from[i].mid_x;
+    const Value mid_dy = move.mid_y - from[i].mid_y;
     mid_sq = smaller(mid_sq, mid_dx * mid_dx + mid_dy * mid_dy);
     const Value end_dx = move.end.x - to[i].x;
     const Value end_dy = move.end.y - to[i].y;
