@@ -13,6 +13,8 @@ const char* describe(SearchStop stop) {
       return "deadline";
     case SearchStop::kNodeLimit:
       return "node limit";
+    case SearchStop::kLowerBound:
+      return "lower bound reached";
   }
   return "unknown";
 }

@@ -79,6 +79,7 @@ class Search {
     Clock::duration longest_trial{0};
     while (true) {
       if (rootGap() <= 0.0F) return SearchStop::kGapClosed;
+      if (tree_.beliefs[0].lower >= limit.lower_bound) return SearchStop::kLowerBound;
       if (statistics_.trials >= limit.max_trials) return SearchStop::kTrialLimit;
       if (timed && now + longest_trial >= limit.deadline) return SearchStop::kDeadline;
       if (!explore(model)) return SearchStop::kNodeLimit;

@@ -25,10 +25,17 @@ struct SearchLimit {
   using Clock = std::chrono::steady_clock;
   Clock::time_point deadline = Clock::time_point::max();
   long max_trials = std::numeric_limits<long>::max();
+  double lower_bound = std::numeric_limits<double>::infinity();  // of the root: good enough
 
-  static SearchLimit trials(long count) { return {Clock::time_point::max(), count}; }
+  static SearchLimit trials(long count) {
+    SearchLimit limit;
+    limit.max_trials = count;
+    return limit;
+  }
   static SearchLimit until(Clock::time_point time) {
-    return {time, std::numeric_limits<long>::max()};
+    SearchLimit limit;
+    limit.deadline = time;
+    return limit;
   }
 };
 

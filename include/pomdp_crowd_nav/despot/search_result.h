@@ -11,6 +11,7 @@ enum class SearchStop {
   kTrialLimit,  // all trials were used
   kDeadline,    // time was up
   kNodeLimit,   // the tree is as large as it may be
+  kLowerBound,  // the root's lower bound is as high as was asked for
 };
 
 const char* describe(SearchStop stop);
