@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pomdp_crowd_nav {
@@ -46,16 +47,14 @@ std::vector<Action> withoutPrior(const std::vector<Action>& actions) {
 Action Action::turnBy(double angle, int speed_steps) {
   Action action;
   action.turn = static_cast<float>(angle);
-  action.turn_cos = static_cast<float>(std::cos(angle));
-  action.turn_sin = static_cast<float>(std::sin(angle));
-  action.speed_steps = speed_steps;
+  action.speed_steps = static_cast<std::int8_t>(speed_steps);
   return action;
 }
 
 Action Action::followPrior(int speed_steps) {
   Action action;
   action.heading = Heading::kFollowPrior;
-  action.speed_steps = speed_steps;
+  action.speed_steps = static_cast<std::int8_t>(speed_steps);
   return action;
 }
 
@@ -73,17 +72,25 @@ bool Action::operator==(const Action& other) const {
 std::string describe(const Action& action) {
   if (action.sudden_brake) return "sudden brake";
   if (action.heading == Action::Heading::kFollowPrior) {
-    return fmt::format("follow prior, speed {:+d}", action.speed_steps);
+    return fmt::format("follow prior, speed {:+d}", static_cast<int>(action.speed_steps));
   }
   return fmt::format("turn {:+.0f} deg, speed {:+d}", action.turn * 180.0 / M_PI,
-                     action.speed_steps);
+                     static_cast<int>(action.speed_steps));
 }
 
-ActionSets::ActionSets() {
-  sets_[1] = actionsAtRest();
-  sets_[0] = withoutPrior(sets_[1]);
-  sets_[3] = actionsMoving();
-  sets_[2] = withoutPrior(sets_[3]);
+ActionSet::ActionSet(std::vector<Action> some) : actions(std::move(some)) {
+  for (int a = 0; a < kMaxActions; ++a) {
+    const Action& action = actions[std::min(static_cast<size_t>(a), actions.size() - 1)];
+    turn_cos[a] = std::cos(action.turn);
+    turn_sin[a] = std::sin(action.turn);
+    speed_steps[a] = static_cast<float>(action.speed_steps);
+    follows_prior[a] = action.heading == Action::Heading::kFollowPrior ? -1 : 0;
+    brakes[a] = action.sudden_brake ? -1 : 0;
+  }
 }
+
+ActionSets::ActionSets()
+    : sets_{ActionSet(withoutPrior(actionsAtRest())), ActionSet(actionsAtRest()),
+            ActionSet(withoutPrior(actionsMoving())), ActionSet(actionsMoving())} {}
 
 }  // namespace pomdp_crowd_nav

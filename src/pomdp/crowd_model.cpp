@@ -2,6 +2,7 @@
 #include "pomdp_crowd_nav/pomdp/crowd_model.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace pomdp_crowd_nav {
 namespace {
@@ -14,14 +15,6 @@ float nearestSq(const CrowdFutures::Place* people, int count, float x, float y) 
     nearest = std::min(nearest, dx * dx + dy * dy);
   }
   return nearest;
-}
-
-float turnedX(const RobotState& state, const Action& action) {
-  return state.direction_x * action.turn_cos - state.direction_y * action.turn_sin;
-}
-
-float turnedY(const RobotState& state, const Action& action) {
-  return state.direction_x * action.turn_sin + state.direction_y * action.turn_cos;
 }
 
 }  // namespace
@@ -37,10 +30,14 @@ CrowdModel::CrowdModel(const ModelParams& params, const NavigationField& field,
   validate(params);
 }
 
-const std::vector<Action>& CrowdModel::legalActions(const RobotState& state) const {
+const ActionSet& CrowdModel::actionSet(const RobotState& state) const {
   const NavigationCell here = field_.at(state.x, state.y);
   const bool has_way = here.direction_x != 0.0F || here.direction_y != 0.0F;
   return action_sets_.legal(state.speed > 0.0F, has_way);
+}
+
+const std::vector<Action>& CrowdModel::legalActions(const RobotState& state) const {
+  return actionSet(state).actions;
 }
 
 float CrowdModel::speedAfter(const RobotState& state, const Action& action) const {
@@ -54,11 +51,12 @@ void CrowdModel::expand(const RobotState* states, const int* scenarios, int coun
                         Expansion<CrowdModel>& out) const {
   const RobotState& state = states[0];
   out.reset();
-  out.actions = legalActions(state);
+  const ActionSet& set = actionSet(state);
+  out.actions = set.actions;
   const int action_count = static_cast<int>(out.actions.size());
   const Evaluation evaluation{constants_, field_, futures_};
   ActionMoves moves;
-  prepareMoves(state, out.actions, moves);
+  prepareMoves(state, set, moves);
   kernel_.move(evaluation, moves);
 
   float uppers[kMaxActions];
@@ -91,20 +89,27 @@ void CrowdModel::expand(const RobotState* states, const int* scenarios, int coun
   out.model_steps += static_cast<long>(action_count) * count;
 }
 
-void CrowdModel::prepareMoves(const RobotState& state, const std::vector<Action>& actions,
+void CrowdModel::prepareMoves(const RobotState& state, const ActionSet& set,
                               ActionMoves& moves) const {
-  moves.count = static_cast<int>(actions.size());
+  const StepConstants& c = constants_;
+  moves.count = static_cast<int>(set.actions.size());
   moves.robot = state;
   moves.here = lookUp(field_, state.x, state.y);
-  moves.arrived = goalDistanceSq(constants_, state.x, state.y) <= constants_.goal_tolerance_sq;
+  moves.arrived = goalDistanceSq(c, state.x, state.y) <= c.goal_tolerance_sq;
+  const float braked = std::max(0.0F, state.speed - c.brake_step);
   for (int a = 0; a < kMaxActions; ++a) {
-    const Action& action = actions[std::min(a, moves.count - 1)];  // the rest repeats the last
-    const bool follows = action.heading == Action::Heading::kFollowPrior;
-    moves.speed[a] = speedAfter(state, action);
-    moves.to_x[a] = follows ? moves.here.direction_x : turnedX(state, action);
-    moves.to_y[a] = follows ? moves.here.direction_y : turnedY(state, action);
-    moves.follows_prior[a] = follows ? -1 : 0;
-    moves.brake_penalty[a] = action.sudden_brake ? constants_.brake_penalty : 0.0F;
+    const bool follows = set.follows_prior[a] != 0;
+    const bool brakes = set.brakes[a] != 0;
+    const float changed = state.speed + set.speed_steps[a] * c.speed_step;
+    moves.speed[a] = brakes ? braked : std::min(std::max(changed, 0.0F), c.max_speed);
+    moves.brake_penalty[a] = brakes ? c.brake_penalty : 0.0F;
+    const float turned_x =
+        state.direction_x * set.turn_cos[a] - state.direction_y * set.turn_sin[a];
+    const float turned_y =
+        state.direction_x * set.turn_sin[a] + state.direction_y * set.turn_cos[a];
+    moves.to_x[a] = follows ? moves.here.direction_x : turned_x;
+    moves.to_y[a] = follows ? moves.here.direction_y : turned_y;
+    moves.follows_prior[a] = set.follows_prior[a];
   }
 }
 
@@ -152,10 +157,13 @@ MoveLanes<float> CrowdModel::moveOne(const RobotState& state, const Action& acti
   const RobotLanes<float> robot{state.x, state.y, state.direction_x, state.direction_y,
                                 state.speed};
   const FieldLanes<float> here = lookUp(field_, state.x, state.y);
-  const bool follow = action.heading == Action::Heading::kFollowPrior;
-  return moveRobots<float>(constants_, field_, robot, here, speedAfter(state, action),
-                           follow ? here.direction_x : turnedX(state, action),
-                           follow ? here.direction_y : turnedY(state, action), follow);
+  const bool follows = action.heading == Action::Heading::kFollowPrior;
+  const float cosine = std::cos(action.turn);
+  const float sine = std::sin(action.turn);
+  return moveRobots<float>(
+      constants_, field_, robot, here, speedAfter(state, action),
+      follows ? here.direction_x : state.direction_x * cosine - state.direction_y * sine,
+      follows ? here.direction_y : state.direction_x * sine + state.direction_y * cosine, follows);
 }
 
 RobotState CrowdModel::move(const RobotState& state, const Action& action) const {

@@ -47,7 +47,7 @@ TEST(ExtendedSpacePlanner, ActionsComeFromThePapersSet) {
     for (double y = 10.0; y < 20.0; y += 1.0) {
       const Decision decision = planner->decide(
           {{{10.0, y}, 0.5, speed}, {0.0, {standing(1, {14.0, y})}}}, SearchLimit::trials(20));
-      const auto& legal = sets.legal(speed > 0.0, true);
+      const auto& legal = sets.legal(speed > 0.0, true).actions;
       EXPECT_NE(std::find(legal.begin(), legal.end(), decision.action), legal.end())
           << describe(decision.action);
     }

@@ -34,15 +34,15 @@ const std::vector<std::string> kMoving{"follow prior, speed +0",
 // The first of equally good actions is taken, so the order is part of the planner.
 TEST(ActionSets, AreThePapersInTheOrderOfTies) {
   const ActionSets sets;
-  EXPECT_EQ(names(sets.legal(false, true)), kAtRest);
-  EXPECT_EQ(names(sets.legal(true, true)), kMoving);
+  EXPECT_EQ(names(sets.legal(false, true).actions), kAtRest);
+  EXPECT_EQ(names(sets.legal(true, true).actions), kMoving);
 }
 
 TEST(ActionSets, WithoutAWayThePriorIsNotFollowed) {
   const ActionSets sets;
-  EXPECT_EQ(names(sets.legal(false, false)),
+  EXPECT_EQ(names(sets.legal(false, false).actions),
             std::vector<std::string>(kAtRest.begin() + 1, kAtRest.end()));
-  EXPECT_EQ(names(sets.legal(true, false)),
+  EXPECT_EQ(names(sets.legal(true, false).actions),
             std::vector<std::string>(kMoving.begin() + 1, kMoving.end()));
 }
 
@@ -50,16 +50,28 @@ TEST(ActionSets, FitTheVectorLanes) {
   const ActionSets sets;
   for (const bool moving : {false, true}) {
     for (const bool has_way : {false, true}) {
-      EXPECT_LE(sets.legal(moving, has_way).size(), static_cast<size_t>(kMaxActions));
+      EXPECT_LE(sets.legal(moving, has_way).actions.size(), static_cast<size_t>(kMaxActions));
     }
   }
 }
 
-TEST(Action, TurnsCarryTheirSineAndCosine) {
+TEST(ActionSets, SayWhatAStepMultipliesWith) {
+  const ActionSets sets;
+  const ActionSet& set = sets.legal(true, true);
+  for (int a = 0; a < kMaxActions; ++a) {
+    const Action& action = set.actions[std::min(static_cast<size_t>(a), set.actions.size() - 1)];
+    EXPECT_NEAR(set.turn_cos[a], std::cos(static_cast<double>(action.turn)), 1e-7);
+    EXPECT_NEAR(set.turn_sin[a], std::sin(static_cast<double>(action.turn)), 1e-7);
+    EXPECT_EQ(set.speed_steps[a], static_cast<float>(action.speed_steps));
+    EXPECT_EQ(set.follows_prior[a], a == 0 ? -1 : 0);
+    EXPECT_EQ(set.brakes[a], a >= 10 ? -1 : 0) << "the last is repeated";
+  }
+}
+
+TEST(Action, IsSmall) {
+  EXPECT_LE(sizeof(Action), 8U);
   const Action action = Action::turnBy(-M_PI / 6.0, 1);
   EXPECT_FLOAT_EQ(action.turn, static_cast<float>(-M_PI / 6.0));
-  EXPECT_FLOAT_EQ(action.turn_cos, static_cast<float>(std::sqrt(0.75)));
-  EXPECT_FLOAT_EQ(action.turn_sin, -0.5F);
   EXPECT_EQ(action.speed_steps, 1);
   EXPECT_FALSE(action.sudden_brake);
 }

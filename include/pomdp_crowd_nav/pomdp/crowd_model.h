@@ -49,8 +49,8 @@ class CrowdModel {
   const StepConstants& constants() const { return constants_; }
 
  private:
-  void prepareMoves(const RobotState& state, const std::vector<Action>& actions,
-                    ActionMoves& moves) const;
+  const ActionSet& actionSet(const RobotState& state) const;
+  void prepareMoves(const RobotState& state, const ActionSet& set, ActionMoves& moves) const;
   void addBeyondHorizon(ScenarioOutcome& outcome) const;
   MoveLanes<float> moveOne(const RobotState& state, const Action& action) const;
   float rollOutOne(const RobotState& state, const FieldLanes<float>& here, float start_sq,

@@ -10,9 +10,6 @@
 
 namespace pomdp_crowd_nav {
 
-using ActionFloats = float[kMaxActions];
-using ActionFlags = int[kMaxActions];  // -1 true, 0 false
-
 // The actions of one expansion and where each takes the robot: what is common to all scenarios.
 // Index a is action a; behind `count` nothing is read.
 struct ActionMoves {
