@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "pomdp_crowd_nav/despot/expansion.h"
@@ -96,8 +97,9 @@ class Search {
   bool explore(const Model& model) {
     int belief = 0;
     bool has_room = true;
+    float allowance = std::numeric_limits<float>::max();
     while (true) {
-      if (tree_.beliefs[belief].depth >= params_.max_depth || isBlocked(belief)) {
+      if (tree_.beliefs[belief].depth >= params_.max_depth || allowance <= 0.0F) {
         makeDefault(belief);
         break;
       }
@@ -109,6 +111,7 @@ class Search {
       }
       const int child = leastCertainChild(mostPromisingAction(belief));
       if (child < 0) break;
+      allowance = allowanceBelow(tree_.beliefs[belief], allowance);
       belief = child;
     }
     backUp(belief);
@@ -202,16 +205,10 @@ class Search {
     node.upper = node.lower;
   }
 
-  // True when some ancestor's whole gain is less than the regularisation cost of the way here
-  // (Ye et al. 2017, eq. 16 and FindBlocker).
-  bool isBlocked(int belief) const {
-    float cost = regularization();
-    for (int b = tree_.parentBelief(belief); b >= 0; b = tree_.parentBelief(b)) {
-      const BeliefNode& ancestor = tree_.beliefs[b];
-      if (ancestor.utility_upper - ancestor.default_value <= cost) return true;
-      cost += regularization();
-    }
-    return false;
+  // What the regularisation may still cost on the way down before it outweighs the whole gain of
+  // some node above; at 0 or less that node is a blocker (Ye et al. 2017, eq. 16, FindBlocker).
+  float allowanceBelow(const BeliefNode& node, float allowance) const {
+    return std::min(allowance, node.utility_upper - node.default_value) - regularization();
   }
 
   // E(b), weighted excess uncertainty (Ye et al. 2017, eq. 12).
