@@ -2,10 +2,12 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <vector>
 
+#include "pomdp_crowd_nav/despot/expansion.h"
 #include "pomdp_crowd_nav/despot/search_params.h"
 
 namespace pomdp_crowd_nav {
