@@ -24,7 +24,7 @@ struct Options {
 };
 
 // Mean discounted returns of others with K = 500 scenarios: DESPOT as published (Ye et al. 2017,
-// table 1; 1 s a step) and a well-known C++ program for it at 0.1 s a step.
+// 1 s a step) and a well-known C++ program for it at 0.1 s a step.
 struct Known {
   double literature;
   double peer;  // NaN: not measured
