@@ -25,6 +25,8 @@ void validate(const SearchParams& p) {
   require(p.regularization >= 0.0, "regularization", "at least 0", p.regularization);
   require(p.target_gap >= 0.0 && p.target_gap < 1.0, "target_gap", "in [0, 1)", p.target_gap);
   require(p.max_nodes >= 1, "max_nodes", "at least 1", p.max_nodes);
+  require(p.max_memory > 0.0, "max_memory", "positive", p.max_memory);
+  require(p.threads >= 1 && p.threads <= 64, "threads", "between 1 and 64", p.threads);
 }
 
 }  // namespace pomdp_crowd_nav

@@ -53,6 +53,8 @@ TEST(SearchParams, NanIsOutOfRange) {
             "search/regularization must be at least 0, got nan");
   EXPECT_EQ(messageFor(&SearchParams::target_gap, nan),
             "search/target_gap must be in [0, 1), got nan");
+  EXPECT_EQ(messageFor(&SearchParams::max_memory, nan),
+            "search/max_memory must be positive, got nan");
 }
 
 TEST(SearchParams, AcceptsTheEndsOfTheRanges) {
@@ -62,6 +64,7 @@ TEST(SearchParams, AcceptsTheEndsOfTheRanges) {
   EXPECT_EQ(messageFor(&SearchParams::regularization, 0.0), "accepted");
   EXPECT_EQ(messageFor(&SearchParams::target_gap, 0.0), "accepted");
   EXPECT_EQ(messageFor(&SearchParams::max_nodes, 1), "accepted");
+  EXPECT_EQ(messageFor(&SearchParams::threads, 64), "accepted");
 }
 
 TEST(SearchStop, HasANameEach) {
@@ -69,6 +72,7 @@ TEST(SearchStop, HasANameEach) {
   EXPECT_STREQ(describe(SearchStop::kTrialLimit), "trial limit");
   EXPECT_STREQ(describe(SearchStop::kDeadline), "deadline");
   EXPECT_STREQ(describe(SearchStop::kNodeLimit), "node limit");
+  EXPECT_STREQ(describe(SearchStop::kLowerBound), "lower bound reached");
 }
 
 }  // namespace

@@ -343,6 +343,31 @@ TEST(Search, ANodeLimitOfOneStillGivesAnAction) {
   EXPECT_EQ(result.statistics.trials, 0);
 }
 
+TEST(Search, StopsAtTheMemoryLimit) {
+  Corridor::Params corridor;
+  corridor.horizon = 25;
+  SearchParams params = paramsFor(200, 25, 0.9);
+  params.max_memory = 0.05;
+  Search<Corridor> search(params);
+  const auto result = search.run(Corridor(corridor), {{0}}, SearchLimit::trials(kEnough));
+  EXPECT_EQ(result.statistics.stop, SearchStop::kNodeLimit);
+  EXPECT_GE(result.statistics.tree_bytes, 50000);
+  EXPECT_LE(result.statistics.tree_bytes, 70000) << "one expansion more";
+  EXPECT_EQ(result.statistics.tree_bytes, static_cast<long>(search.tree().bytes()));
+}
+
+TEST(Search, StopsAtTheLowerBoundThatWasAskedFor) {
+  SearchLimit limit = SearchLimit::trials(kEnough);
+  Search<Corridor> search(paramsFor(50, 5, 0.9));
+  const Corridor model{Corridor::Params()};
+  const double best = search.run(model, {{0}}, limit).statistics.lower_bound;
+  limit.lower_bound = best - 0.5;
+  const auto result = search.run(model, {{0}}, limit);
+  EXPECT_EQ(result.statistics.stop, SearchStop::kLowerBound);
+  EXPECT_GE(result.statistics.lower_bound, best - 0.5);
+  EXPECT_LT(result.statistics.lower_bound, best);
+}
+
 TEST(Search, EndsByTheDeadline) {
   // Too many histories to close in the time.
   Corridor::Params corridor;

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Once its memory has grown, an expansion takes nothing from the heap.
+// Once its memory has grown, a search takes nothing from the heap.
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cmath>
 #include <cstdlib>
 #include <new>
 #include <numeric>
 
 #include "crowd_scene.h"
+#include "pomdp_crowd_nav/despot/search.h"
 
 namespace {
 
@@ -50,6 +52,28 @@ TEST(Allocation, NoneInAWarmExpansion) {
     }
     EXPECT_EQ(allocations - before, 0) << kernel->name;
   }
+}
+
+// What a search takes before and after its trials does not depend on their number.
+TEST(Allocation, NoneInAWarmTrial) {
+  ModelParams params = paperModel();
+  params.upper_bound = UpperBoundKind::kPaper;  // never closes the gap
+  const CrowdScene scene(params, {6, 100, true, 1});
+  const CrowdModel model(params, scene.field(), scene.futures());
+  SearchParams search_params;
+  search_params.scenarios = 100;
+  search_params.max_depth = params.depth();
+  Search<CrowdModel> search(search_params);
+  const std::vector<RobotState> start{RobotState::from({{4.0, 12.0}, 0.0, 0.0})};
+  search.run(model, start, SearchLimit::trials(400));
+  const auto allocationsOf = [&](long trials) {
+    const long before = allocations;
+    const auto result = search.run(model, start, SearchLimit::trials(trials));
+    EXPECT_EQ(result.statistics.trials, trials) << describe(result.statistics.stop);
+    // The plan is as long as the tree is deep.
+    return allocations - before - static_cast<long>(std::ceil(std::log2(result.plan.size())));
+  };
+  EXPECT_LE(allocationsOf(300), allocationsOf(1) + 1);
 }
 
 }  // namespace

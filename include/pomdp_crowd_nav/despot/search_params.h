@@ -14,7 +14,9 @@ struct SearchParams {
   double discount = 0.97;        // gamma, per step
   double regularization = 0.01;  // lambda, cost of one node of the policy tree
   double target_gap = 0.95;      // xi, share of the root gap a trial tries to keep
-  int max_nodes = 1'000'000;     // belief nodes; a tree this large is not expanded further
+  int max_nodes = 1'500'000;     // belief nodes; a tree this large is not expanded further
+  double max_memory = 140.0;     // [MB], the same for what the tree holds
+  int threads = 1;               // that run trials; with more than one no result is reproducible
 };
 
 // Throws std::invalid_argument naming the first field that is out of range.

@@ -10,7 +10,7 @@ enum class SearchStop {
   kGapClosed,   // the root's bounds met
   kTrialLimit,  // all trials were used
   kDeadline,    // time was up
-  kNodeLimit,   // the tree is as large as it may be
+  kNodeLimit,   // the tree has as many nodes or as much memory as it may
   kLowerBound,  // the root's lower bound is as high as was asked for
 };
 
@@ -22,8 +22,9 @@ struct SearchStatistics {
   long belief_nodes = 0;
   long model_steps = 0;       // steps of one scenario, roll-outs included
   long bound_violations = 0;  // leaves whose lower bound was above the upper; clamped
-  double lower_bound = 0.0;   // of the root, regularised
-  double upper_bound = 0.0;   // of the root, regularised
+  long tree_bytes = 0;
+  double lower_bound = 0.0;  // of the root, regularised
+  double upper_bound = 0.0;  // of the root, regularised
   double initial_lower_bound = 0.0;
   double initial_upper_bound = 0.0;
   SearchStop stop = SearchStop::kGapClosed;

@@ -10,20 +10,25 @@ namespace pomdp_crowd_nav {
 // A belief: a set of scenarios with one history. All values are weighted by the node's share of
 // scenarios and discounted to the root, so that values of siblings add up.
 struct BeliefNode {
-  float lower = 0.0F;              // l, regularised lower bound
-  float upper = 0.0F;              // mu, regularised upper bound
-  float utility_upper = 0.0F;      // U, upper bound without regularisation, for the blocker test
-  float default_value = 0.0F;      // l0, value of the default policy
-  std::int32_t parent = -1;        // action node, -1 for the root
-  std::int32_t first_action = -1;  // -1 while the node is a leaf
+  static constexpr std::int32_t kIsLeaf = -1;
+  static constexpr std::int32_t kIsBeingExpanded = -2;  // a leaf that some thread is at work on
+
+  float lower = 0.0F;          // l, regularised lower bound
+  float upper = 0.0F;          // mu, regularised upper bound
+  float utility_upper = 0.0F;  // U, upper bound without regularisation, for the blocker test
+  float default_value = 0.0F;  // l0, value of the default policy
+  std::int32_t parent = -1;    // action node, -1 for the root
+  std::int32_t first_action = kIsLeaf;
   std::int32_t first_scenario = 0;
   std::int32_t first_state = 0;
   std::uint16_t scenario_count = 0;
   std::uint16_t action_count = 0;
   std::uint16_t depth = 0;
   bool blocked = false;
+  std::uint8_t visitors = 0;  // trials under way through this node
 
   bool isLeaf() const { return first_action < 0; }
+  bool isBeingExpanded() const { return first_action == kIsBeingExpanded; }
 };
 
 // An action taken at a belief. `reward` is rho(b, a), lambda already taken off.
@@ -37,11 +42,20 @@ struct ActionNode {
   std::int32_t child_count = 0;  // children are consecutive
 };
 
-// The search tree in flat vectors linked by index; `clear` keeps the memory for the next search.
-template <class State, class Action>
-struct Tree {
+// The nodes of a search tree in flat vectors linked by index.
+struct TreeNodes {
   std::vector<BeliefNode> beliefs;  // beliefs[0] is the root
   std::vector<ActionNode> action_nodes;
+
+  int parentBelief(int belief) const {
+    const int action = beliefs[belief].parent;
+    return action < 0 ? -1 : action_nodes[action].parent;
+  }
+};
+
+// And what a model put into them. `clear` keeps the memory for the next search.
+template <class State, class Action>
+struct Tree : TreeNodes {
   std::vector<Action> actions;  // parallel to action_nodes
   std::vector<std::int32_t> scenarios;
   std::vector<State> states;
@@ -50,10 +64,16 @@ struct Tree {
   // for longer than its margin. Pages that are never used cost nothing.
   void reserve(std::size_t count) {
     beliefs.reserve(count);
-    action_nodes.reserve(count);
-    actions.reserve(count);
-    scenarios.reserve(count);
-    states.reserve(count);
+    action_nodes.reserve(2 * count);  // some actions end all scenarios and have no belief below
+    actions.reserve(2 * count);
+    scenarios.reserve(2 * count);
+    states.reserve(2 * count);
+  }
+
+  std::size_t bytes() const {
+    return beliefs.size() * sizeof(BeliefNode) + action_nodes.size() * sizeof(ActionNode) +
+           actions.size() * sizeof(Action) + scenarios.size() * sizeof(std::int32_t) +
+           states.size() * sizeof(State);
   }
 
   void clear() {
@@ -62,11 +82,6 @@ struct Tree {
     actions.clear();
     scenarios.clear();
     states.clear();
-  }
-
-  int parentBelief(int belief) const {
-    const int action = beliefs[belief].parent;
-    return action < 0 ? -1 : action_nodes[action].parent;
   }
 };
 
