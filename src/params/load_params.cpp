@@ -79,6 +79,8 @@ void readPlanning(ParamReader& reader, PlannerParams& planning) {
   reader.read("search/regularization", planning.search.regularization);
   reader.read("search/target_gap", planning.search.target_gap);
   reader.read("search/max_nodes", planning.search.max_nodes);
+  reader.read("search/max_memory", planning.search.max_memory);
+  reader.read("search/threads", planning.search.threads);
   reader.read("prior/resolution", planning.prior.resolution);
   reader.read("prior/extra_clearance", planning.prior.extra_clearance);
   reader.read("prior/blocked_speed", planning.prior.blocked_speed);

@@ -123,7 +123,8 @@ model: {horizon: 31.0, discount: 0.93, pedestrian_distance: 0.51, obstacle_dista
         pedestrian_noise: 0.11, beyond_horizon: free_drive, upper_bound: paper}
 reward: {goal: 901.0, pedestrian: -91.0, obstacle: -92.0, sudden_brake: -9.0, time: -1.1,
          low_speed: -1.2}
-search: {scenarios: 61, regularization: 0.02, target_gap: 0.9, max_nodes: 12345}
+search: {scenarios: 61, regularization: 0.02, target_gap: 0.9, max_nodes: 12345,
+         max_memory: 77.0, threads: 3}
 prior: {resolution: 0.3, extra_clearance: 0.31, blocked_speed: 0.02}
 belief: {update_period: 0.6, walking_speed: 1.3, speed_smoothing: 0.4}
 emergency: {enabled: false, decision_distance: 1.7, reflex_distance: 1.1, reaction_time: 0.25}
@@ -176,6 +177,8 @@ uniform_respawn: true
   EXPECT_EQ(n.planning.search.regularization, 0.02);
   EXPECT_EQ(n.planning.search.target_gap, 0.9);
   EXPECT_EQ(n.planning.search.max_nodes, 12345);
+  EXPECT_EQ(n.planning.search.max_memory, 77.0);
+  EXPECT_EQ(n.planning.search.threads, 3);
   EXPECT_EQ(n.planning.prior.resolution, 0.3);
   EXPECT_EQ(n.planning.prior.extra_clearance, 0.31);
   EXPECT_EQ(n.planning.prior.blocked_speed, 0.02);
