@@ -9,7 +9,7 @@ BUILD_PACKAGES=(
   ros-message-generation ros-std-msgs ros-geometry-msgs
   libroscpp-dev libactionlib-dev libdiagnostic-updater-dev libmove-base-msgs-dev libnav-msgs-dev
   libtf2-ros-dev libvisualization-msgs-dev
-  libcli11-dev libeigen3-dev libfmt-dev libopencv-dev libyaml-cpp-dev
+  libbenchmark-dev libcli11-dev libeigen3-dev libfmt-dev libopencv-dev libyaml-cpp-dev
   nlohmann-json3-dev
   libgtest-dev librostest-dev python3-rostest)
 RUN_PACKAGES=(python3-roslaunch ros-robot-state-publisher)
