@@ -95,7 +95,12 @@ class Search {
     std::vector<int> scenarios;
   };
 
-  enum class Trial { kDone, kMetAnother, kNoRoom };
+  enum class Trial {
+    kDone,
+    kMetAnother,     // gave way to another thread's
+    kNothingToGain,  // the bounds differ by no more than the rounding of their sums
+    kNoRoom
+  };
 
   void plantRoot(const Model& model, const std::vector<State>& states) {
     tree_.clear();
@@ -140,6 +145,7 @@ class Search {
       ++statistics_.trials;
       const Trial trial = explore(model, worker, lock);
       if (trial == Trial::kNoRoom) stop(SearchStop::kNodeLimit);
+      if (trial == Trial::kNothingToGain) stop(SearchStop::kGapClosed);
       if (trial != Trial::kDone) --statistics_.trials;
       if (trial == Trial::kMetAnother) {
         lock.unlock();
@@ -171,15 +177,14 @@ class Search {
 
   // One trial: descends along the most promising action and the least certain observation.
   Trial explore(const Model& model, Worker& worker, std::unique_lock<std::mutex>& lock) {
-    // What a trial that changes nothing has met, if others are under way.
-    Trial outcome = tree_.beliefs[0].visitors > 0 ? Trial::kMetAnother : Trial::kDone;
+    // Unless it finds something to do; another trial like it would not either.
+    Trial outcome = tree_.beliefs[0].visitors > 0 ? Trial::kMetAnother : Trial::kNothingToGain;
     int belief = 0;
     float allowance = std::numeric_limits<float>::max();
     while (true) {
       ++tree_.beliefs[belief].visitors;
       if (tree_.beliefs[belief].depth >= params_.max_depth || allowance <= 0.0F) {
-        values_.makeDefault(belief);
-        outcome = Trial::kDone;
+        if (values_.makeDefault(belief)) outcome = Trial::kDone;
         break;
       }
       if (values_.excessUncertainty(belief) <= 0.0F) break;

@@ -29,11 +29,14 @@ class TreeValues {
     return lower <= upper + 1e-4F * (weight + std::abs(upper));
   }
 
-  // The node's best policy is its default one: nothing below it can pay for itself.
-  void makeDefault(int belief) {
+  // The node's best policy is its default one: nothing below it can pay for itself. Returns
+  // whether its bounds differed.
+  bool makeDefault(int belief) {
     BeliefNode& node = tree_.beliefs[belief];
+    const bool differed = node.upper > node.lower;
     node.blocked = true;
     node.upper = node.lower;
+    return differed;
   }
 
   // What the regularisation may still cost on the way down before it outweighs the whole gain of
