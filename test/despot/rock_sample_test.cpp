@@ -326,7 +326,7 @@ Bracket valueOf(const RockSample& model, const RockSampleBelief& belief, int ste
 
 // With the depth of the recursion and more scenarios than it has histories.
 TEST(SearchOnRockSample, FindsTheValueOfTheExactBelief) {
-  const RockSample model(small(), 1);
+  const RockSample model(small(), 1, Defaults::kPlain);
   const Bracket exact = valueOf(model, RockSampleBelief(model), 5);
   Search<RockSample> search(paramsFor(4000, 5, 0.0));
   const auto states = startStates(model, 4000);

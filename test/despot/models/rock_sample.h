@@ -148,9 +148,9 @@ class RockSample {
   static bool isGood(const State& state, int rock) { return (state.good >> rock & 1) != 0; }
 
   // The rocks for which the history speaks more than so much.
-  static int rocksAbove(int log_odds, const State& state) {
+  int rocksAbove(int log_odds, const State& state) const {
     int rocks = 0;
-    for (int r = 0; r < RockSampleMap::kMostRocks; ++r) {
+    for (int r = 0; r < map().rockCount(); ++r) {
       rocks |= (state.log_odds[r] > log_odds) << r;
     }
     return rocks;
