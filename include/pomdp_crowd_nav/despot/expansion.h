@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -51,17 +52,20 @@ void expandOneByOne(const Model& model, const typename Model::State* states, con
                     int scenario_count, int depth, Expansion<Model>& out) {
   out.reset();
   model.actions(states[0], out.actions);
-  for (const auto& action : out.actions) {
-    for (int i = 0; i < scenario_count; ++i) {
+  const size_t count = static_cast<size_t>(scenario_count);
+  out.branches.resize(out.actions.size() * count);
+  out.states.resize(out.actions.size() * (Model::kSharesState ? 1 : count));
+  for (size_t a = 0; a < out.actions.size(); ++a) {
+    for (size_t i = 0; i < count; ++i) {
       const auto& state = states[Model::kSharesState ? 0 : i];
-      typename Model::State next = state;
-      Branch branch = model.step(state, scenarios[i], depth, action, next);
-      ++out.model_steps;
+      auto& next = out.states[Model::kSharesState ? a : a * count + i];
+      next = state;
+      Branch& branch = out.branches[a * count + i];
+      branch = model.step(state, scenarios[i], depth, out.actions[a], next);
       if (!branch.terminal) model.bound(next, scenarios[i], depth + 1, branch);
-      out.branches.push_back(branch);
-      if (!Model::kSharesState || i == 0) out.states.push_back(next);
     }
   }
+  out.model_steps = static_cast<long>(out.branches.size());
 }
 
 }  // namespace pomdp_crowd_nav

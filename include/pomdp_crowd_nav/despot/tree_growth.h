@@ -66,12 +66,13 @@ class TreeGrowth {
       reward += branches[i].reward;
       if (!branches[i].terminal) order_.push_back(i);
     }
-    if (order_.size() > 1) {  // an index breaks ties: stable without a buffer
-      std::sort(order_.begin(), order_.end(), [branches](int i, int j) {
-        const auto& p = branches[i].observation;
-        const auto& q = branches[j].observation;
-        return p != q ? p < q : i < j;
-      });
+    const auto comes_first = [branches](int i, int j) {
+      const auto& p = branches[i].observation;
+      const auto& q = branches[j].observation;
+      return p != q ? p < q : i < j;  // the index makes it stable without a buffer
+    };
+    if (!std::is_sorted(order_.begin(), order_.end(), comes_first)) {
+      std::sort(order_.begin(), order_.end(), comes_first);
     }
     return reward;
   }
