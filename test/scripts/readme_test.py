@@ -122,7 +122,8 @@ def check_tools(root, text):
 
 def check_links(root):
     for path in [*root.glob("*.md"), *(root / "doc").glob("*.md")]:
-        for link in re.findall(r"\]\(([^)#]+)[^)]*\)", path.read_text()):
+        text = re.sub(r"```.*?```", "", path.read_text(), flags=re.DOTALL)
+        for link in re.findall(r"\]\(([^)#]+)[^)]*\)", text):
             if "://" not in link and not (path.parent / link).exists():
                 problems.append(f"{path.name}: the link {link} leads nowhere")
 
