@@ -109,6 +109,18 @@ class RunExperimentsTest(BadInputTest):
         self.assertEqual(self.run_program("run_experiments", "--help").returncode, 0)
 
 
+class RosrunTest(unittest.TestCase):
+    def test_rosrun_finds_the_tool_and_passes_its_status_on(self):
+        program = pathlib.Path(roslib.packages.find_node(PACKAGE, "run_experiments")[0])
+        if SHARE / "build" in program.parents:
+            self.skipTest("rosrun passes over a folder 'build' inside a package")
+        result = subprocess.run(["rosrun", PACKAGE, "run_experiments", "--runs", "0"],
+                                stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                stderr=subprocess.STDOUT, text=True, timeout=60, check=False)
+        self.assertEqual(result.returncode, 2, result.stdout)
+        self.assertIn("run_experiments: --runs", result.stdout)
+
+
 class SendGoalTest(BadInputTest):
     def test_no_goal(self):
         self.expect_refusal("send_goal", [], "--x")

@@ -3,7 +3,7 @@
 """Compares what README.md says with the code: readme_test.py SOURCE_FOLDER
 
 Parameters with their nodes and defaults, keys of worlds and profiles, options and columns of the
-tools, arguments of the launch file, relative links. Prints a line for each difference; exit status
+tools, arguments of the launch file, build folders, relative links. Prints a line for each difference; exit status
 1 when there is any.
 """
 import pathlib
@@ -120,6 +120,13 @@ def check_tools(root, text):
     require("demo.sh", set(re.findall(r"(--[a-z-]+)", options)) - {"--help"}, text)
 
 
+def check_build_folders(text):
+    """rosrun passes over a folder `build` inside a package."""
+    for folder in re.findall(r"cmake -S \. -B (\S+)", text):
+        if not folder.startswith("../"):
+            problems.append(f"README.md: rosrun does not find what is built in {folder}")
+
+
 def check_links(root):
     for path in [*root.glob("*.md"), *(root / "doc").glob("*.md")]:
         text = re.sub(r"```.*?```", "", path.read_text(), flags=re.DOTALL)
@@ -133,6 +140,7 @@ def main():
     text = (root / "README.md").read_text()
     check_parameters(root, tables_of(text))
     check_tools(root, text)
+    check_build_folders(text)
     check_links(root)
     print("\n".join(problems) or "README.md and the code agree")
     return 1 if problems else 0
