@@ -5,14 +5,16 @@
 # missing. Run alone: scripts/install_dependencies.sh [--rviz]. The other scripts source it.
 
 BUILD_PACKAGES=(
-  g++ cmake ninja-build catkin
+  g++ cmake make ninja-build catkin
   ros-message-generation ros-std-msgs ros-geometry-msgs
   libroscpp-dev libactionlib-dev libdiagnostic-updater-dev libmove-base-msgs-dev libnav-msgs-dev
   libtf2-ros-dev libvisualization-msgs-dev
   libbenchmark-dev libcli11-dev libeigen3-dev libfmt-dev libopencv-dev libyaml-cpp-dev
   nlohmann-json3-dev
   libgtest-dev librostest-dev python3-rostest)
-RUN_PACKAGES=(python3-roslaunch ros-robot-state-publisher)
+RUN_PACKAGES=(
+  python3-roslaunch python3-rosparam python3-rosservice python3-rostopic rosbash rospack-tools
+  ros-robot-state-publisher)
 RVIZ_PACKAGES=(rviz)
 
 # A python3 of pyenv or conda in front of the system's lacks the ROS modules.

@@ -3,7 +3,7 @@
 """Compares what README.md says with the code: readme_test.py SOURCE_FOLDER
 
 Parameters with their nodes and defaults, keys of worlds and profiles, options and columns of the
-tools, arguments of the launch file, build folders, relative links. Prints a line for each difference; exit status
+tools, arguments of the launch file, build folders, commands, relative links. Prints a line for each difference; exit status
 1 when there is any.
 """
 import pathlib
@@ -14,6 +14,10 @@ import yaml
 
 KEY = re.compile(r'(?:reader_?\.read\(|readChoice\(reader, |(?:numbers|point)\()"([^"]+)"'
                  r'(?:, ([\w.>-]+))?')
+# Debian's packages of the programs that the documents call. rosdep is for other systems.
+PACKAGES = {"catkin_make": "catkin", "cmake": "cmake", "rosparam": "python3-rosparam",
+            "roslaunch": "python3-roslaunch", "rospack": "rospack-tools", "rosrun": "rosbash",
+            "rosservice": "python3-rosservice", "rostopic": "python3-rostopic"}
 problems = []
 
 
@@ -127,6 +131,22 @@ def check_build_folders(text):
             problems.append(f"README.md: rosrun does not find what is built in {folder}")
 
 
+def check_commands(root):
+    """A bare Debian has what the documents call once install_dependencies.sh has run."""
+    script = (root / "scripts/install_dependencies.sh").read_text()
+    installed = set(re.search(r"BUILD_PACKAGES=(.*?)\nRVIZ", script, re.S)[1]
+                    .replace("(", " ").replace(")", " ").split())
+    documents = [*root.glob("*.md"), *(root / "doc").glob("*.md")]
+    text = "\n".join(path.read_text() for path in documents)
+    called = set(re.findall(r"\b(?:ros(?!dep\b)\w+|catkin_make|cmake)(?= [\w-])",
+                            "\n".join(re.findall(r"```sh\n(.*?)```", text, re.S))))
+    needed = {PACKAGES.get(command, f"the package of {command}") for command in called}
+    if called & {"catkin_make", "cmake"}:
+        needed.add("make")  # what both build with where nothing else is said
+    problems.extend(f"install_dependencies.sh: {package} is missing"
+                    for package in sorted(needed - installed))
+
+
 def check_links(root):
     for path in [*root.glob("*.md"), *(root / "doc").glob("*.md")]:
         text = re.sub(r"```.*?```", "", path.read_text(), flags=re.DOTALL)
@@ -141,6 +161,7 @@ def main():
     check_parameters(root, tables_of(text))
     check_tools(root, text)
     check_build_folders(text)
+    check_commands(root)
     check_links(root)
     print("\n".join(problems) or "README.md and the code agree")
     return 1 if problems else 0
