@@ -36,11 +36,11 @@ InputListener::InputListener(ros::NodeHandle& node, const PlannerNodeParams& par
                              ros::TransportHints().tcpNoDelay());
   persons_ = node.subscribe("tracked_persons", kQueue, &InputListener::onPersons, this,
                             ros::TransportHints().tcpNoDelay());
-  if (params.world_file.empty()) {
-    map_ = node.subscribe("map", kQueue, &InputListener::onMap, this);
-  } else {
-    useMap(std::make_shared<const StaticMap>(loadWorld(params.world_file).map()));
+  if (!params.world_file.empty()) {
+    world_map_ = std::make_shared<const StaticMap>(loadWorld(params.world_file).map());
+    useMap(world_map_);
   }
+  map_ = node.subscribe("map", kQueue, &InputListener::onMap, this);
 }
 
 void InputListener::onOdometry(const nav_msgs::Odometry& odometry) {
@@ -92,7 +92,9 @@ void InputListener::onMap(const nav_msgs::OccupancyGrid& grid) {
   }
   if (same) return drive_.with([](Drive& drive) { drive.inputs.map_at = steadySeconds(); });
   try {
-    useMap(toStaticMap(grid));
+    const bool is_world = world_map_ && isDrawingOf(*world_map_, grid);
+    if (world_map_ && !is_world) ROS_INFO("the map on the topic is used, not the world file's");
+    useMap(is_world ? world_map_ : toStaticMap(grid));
     last_grid_ = grid;
   } catch (const std::invalid_argument& error) {
     ROS_ERROR("%s", error.what());

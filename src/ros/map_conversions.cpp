@@ -13,6 +13,9 @@ namespace {
 
 constexpr int kOccupied = 65;         // of 100, as map_server's default threshold
 constexpr double kTurnedGrid = 1e-3;  // [rad]
+constexpr double kDrawnWithin =
+    0.5;                            // cells, an obstacle fills the cells whose centre is this near
+constexpr double kRounding = 0.01;  // cells, what a grid's single precision may make of that
 
 }  // namespace
 
@@ -52,10 +55,29 @@ nav_msgs::OccupancyGrid toMessage(const StaticMap& map, double resolution,
   for (std::uint32_t row = 0; row < message.info.height; ++row) {
     for (std::uint32_t column = 0; column < message.info.width; ++column) {
       const Point center = map.bounds().min + resolution * Point(column + 0.5, row + 0.5);
-      message.data.push_back(map.clearance(center) <= 0.5 * resolution ? 100 : 0);
+      message.data.push_back(map.clearance(center) <= kDrawnWithin * resolution ? 100 : 0);
     }
   }
   return message;
+}
+
+bool isDrawingOf(const StaticMap& map, const nav_msgs::OccupancyGrid& grid) {
+  const double resolution = grid.info.resolution;
+  const Point origin(grid.info.origin.position.x, grid.info.origin.position.y);
+  const Point size = map.bounds().max - map.bounds().min;
+  const Point missing = resolution * Point(grid.info.width, grid.info.height) - size;
+  if (grid.data.size() != static_cast<size_t>(grid.info.width) * grid.info.height) return false;
+  if (!((origin - map.bounds().min).norm() <= kRounding * resolution)) return false;
+  if (!(missing.cwiseAbs().maxCoeff() <= resolution)) return false;
+  for (size_t i = 0; i < grid.data.size(); ++i) {
+    const Point cell(static_cast<double>(i % grid.info.width) + 0.5,
+                     static_cast<double>(i / grid.info.width) + 0.5);
+    const double clearance = map.clearance(origin + resolution * cell) / resolution;
+    const bool is_blocked = grid.data[i] < 0 || grid.data[i] >= kOccupied;
+    if (is_blocked && clearance > kDrawnWithin + kRounding) return false;
+    if (!is_blocked && clearance < kDrawnWithin - kRounding) return false;
+  }
+  return true;
 }
 
 }  // namespace pomdp_crowd_nav

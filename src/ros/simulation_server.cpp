@@ -36,6 +36,13 @@ std::string worldNamed(const std::string& name, const std::string& world_file) {
   return folder + name + ".yaml";
 }
 
+// A planner that runs learns of another map, but keeps the destinations that it was started with.
+void requireSameDestinations(const World& present, const World& next) {
+  if (next.destinations == present.destinations) return;
+  throw std::invalid_argument("people in " + next.name + " walk to other destinations than in " +
+                              present.name + ": start the nodes with that world instead");
+}
+
 }  // namespace
 
 SimulationServer::SimulationServer(ros::NodeHandle node, ros::NodeHandle private_node,
@@ -197,6 +204,7 @@ bool SimulationServer::onReset(ResetSimulation::Request& request,
     if (!request.world.empty() && params.world_file != params_.world_file) params.tracks_file = "";
     if (request.pedestrians >= 0) params.simulator.pedestrians = request.pedestrians;
     params.simulator.seed = request.seed;
+    requireSameDestinations(simulator_->world(), loadSimWorld(params));
     start(params);
     publishWorld();
     response.success = true;

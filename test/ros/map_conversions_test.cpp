@@ -48,5 +48,24 @@ TEST(Maps, GridOfAMapShowsItsObstacles) {
   EXPECT_EQ(grid.data[0], 0);
 }
 
+TEST(Maps, DrawingOfAMapIsKnownFromAnother) {
+  StaticMap::Obstacles obstacles;
+  obstacles.circles.push_back({Point(5.0, 5.0), 2.0});
+  obstacles.polygons.push_back({{Point(1.0, 1.0), Point(8.0, 1.0)}, false});
+  const Bounds bounds{Point(0.0, 0.0), Point(10.0, 9.97)};
+  const StaticMap map(bounds, obstacles);
+  nav_msgs::OccupancyGrid grid = toMessage(map, 0.1, std_msgs::Header());
+  EXPECT_TRUE(isDrawingOf(map, grid));
+  obstacles.circles[0].center.x() += 0.2;
+  EXPECT_FALSE(isDrawingOf(StaticMap(bounds, obstacles), grid));
+  obstacles.circles[0].center.x() -= 0.2;
+  obstacles.polygons.clear();
+  EXPECT_FALSE(isDrawingOf(StaticMap(bounds, obstacles), grid)) << "a wall has gone";
+  EXPECT_FALSE(isDrawingOf(StaticMap({Point(0.0, 0.0), Point(20.0, 9.97)}, {}), grid));
+  grid.data.pop_back();
+  EXPECT_FALSE(isDrawingOf(map, grid));
+  EXPECT_FALSE(isDrawingOf(map, nav_msgs::OccupancyGrid()));
+}
+
 }  // namespace
 }  // namespace pomdp_crowd_nav

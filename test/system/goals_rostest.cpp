@@ -117,20 +117,25 @@ TEST_F(GoalsTest, GoalOfRvizIsDrivenTo) {
       client_.waitUntil(8.0, [this] { return client_.status().state == PlannerStatus::IDLE; }));
 }
 
-TEST_F(GoalsTest, MakePlanGoesRoundObstacles) {
+// How near the way from one side of (50, 50) to the other leads to it; negative without a plan.
+double planClearance() {
   ros::ServiceClient service =
       ros::NodeHandle().serviceClient<nav_msgs::GetPlan>("planner_node/make_plan");
   nav_msgs::GetPlan call;
   call.request.start.header.frame_id = call.request.goal.header.frame_id = "map";
   call.request.start.pose = toMessage(Pose{Point(40.0, 50.0), 0.0});
   call.request.goal.pose = toMessage(Pose{Point(60.0, 50.0), 0.0});
-  ASSERT_TRUE(service.call(call));
-  ASSERT_GT(call.response.plan.poses.size(), 2u);
+  if (!service.call(call) || call.response.plan.poses.size() < 3) return -1.0;
   EXPECT_EQ(call.response.plan.header.frame_id, "map");
+  double nearest = std::numeric_limits<double>::infinity();
   for (const auto& pose : call.response.plan.poses) {
-    EXPECT_GT(std::hypot(pose.pose.position.x - 50.0, pose.pose.position.y - 50.0), 7.0);
+    const geometry_msgs::Point& point = pose.pose.position;
+    nearest = std::min(nearest, std::hypot(point.x - 50.0, point.y - 50.0));
   }
+  return nearest;
 }
+
+TEST_F(GoalsTest, MakePlanGoesRoundObstacles) { EXPECT_GT(planClearance(), 7.0); }
 
 TEST_F(GoalsTest, SimulatorCanBeReset) {
   ros::ServiceClient reset = ros::NodeHandle().serviceClient<ResetSimulation>("sim_node/reset");
@@ -139,11 +144,27 @@ TEST_F(GoalsTest, SimulatorCanBeReset) {
   ASSERT_TRUE(reset.call(call));
   EXPECT_FALSE(call.response.success);
   EXPECT_NE(call.response.message.find("no_such_world"), std::string::npos);
-  call.request.world = "scenario_2";
+  call.request.world = "scenario_1";  // there is no obstacle at (50, 50)
   call.request.pedestrians = 3;
   call.request.seed = 7;
   ASSERT_TRUE(reset.call(call));
   EXPECT_TRUE(call.response.success) << call.response.message;
+  const auto isOpen = [] { return planClearance() >= 0.0 && planClearance() < 1.0; };
+  EXPECT_TRUE(NavigationClient::waitUntil(20.0, isOpen)) << "the planner keeps the old map";
+  call.request.world = "scenario_2";
+  ASSERT_TRUE(reset.call(call));
+  EXPECT_TRUE(call.response.success) << call.response.message;
+  EXPECT_TRUE(NavigationClient::waitUntil(20.0, [] { return planClearance() > 7.0; }));
+}
+
+TEST_F(GoalsTest, ResetToAWorldWithOtherDestinationsIsRefused) {
+  ros::ServiceClient reset = ros::NodeHandle().serviceClient<ResetSimulation>("sim_node/reset");
+  ResetSimulation call;
+  call.request.world = "ucy_zara01";
+  call.request.seed = 7;
+  ASSERT_TRUE(reset.call(call));
+  EXPECT_FALSE(call.response.success);
+  EXPECT_NE(call.response.message.find("destinations"), std::string::npos);
 }
 
 }  // namespace

@@ -19,6 +19,9 @@ namespace pomdp_crowd_nav {
 // A message whose frame cannot be transformed, or with a number that is not finite, is dropped and
 // counted: its input then ages, and the robot stops when it is too old. When ROS time jumps back
 // or the robot is suddenly elsewhere, everything measured before is forgotten.
+//
+// A world file's map holds until the topic `map` says something else, as it does when the simulator
+// is reset to another world; a grid that only repeats it more coarsely changes nothing.
 class InputListener {
  public:
   InputListener(ros::NodeHandle& node, const PlannerNodeParams& params, Guarded<Drive>& drive);
@@ -49,6 +52,7 @@ class InputListener {
   tf2_ros::TransformListener transforms_;
   BeliefTracker tracker_;  // touched under the lock of drive_ only
   ros::Time last_time_;    // touched under the lock of drive_ only
+  std::shared_ptr<const StaticMap> world_map_;  // the world file's, if there is one
   nav_msgs::OccupancyGrid last_grid_;
   ros::Subscriber odometry_, persons_, map_;
 };

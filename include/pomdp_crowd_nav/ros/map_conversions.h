@@ -16,4 +16,7 @@ std::shared_ptr<const StaticMap> toStaticMap(const nav_msgs::OccupancyGrid& grid
 nav_msgs::OccupancyGrid toMessage(const StaticMap& map, double resolution,
                                   const std_msgs::Header& header);
 
+// Whether a grid says what the map says, only coarser, as the grid made by toMessage does.
+bool isDrawingOf(const StaticMap& map, const nav_msgs::OccupancyGrid& grid);
+
 }  // namespace pomdp_crowd_nav
