@@ -9,17 +9,20 @@
 #include <iostream>
 #include <optional>
 
+#include "option_checks.h"
 #include "pomdp_crowd_nav/ros/conversions.h"
 #include "pomdp_crowd_nav/sim/world_file.h"
 
 namespace pomdp_crowd_nav {
 namespace {
 
-constexpr double kProgressPeriod = 5.0;  // [s] of wall clock
+constexpr double kProgressPeriod = 5.0;      // [s] of wall clock
+constexpr const char* kWorldsOwn = "world";  // for a coordinate: the world's goal
+constexpr const char* kTakenOver = "preempted by a newer goal";  // as the planner's result says
 
 struct Options {
   std::string world_file;
-  std::string x, y;  // [m], empty: the world's goal
+  std::string x = kWorldsOwn, y = kWorldsOwn;  // [m]
   std::string frame = "map";
   double timeout = 300.0;  // [s] of wall clock for everything
 };
@@ -37,8 +40,9 @@ double toCoordinate(const std::string& name, const std::string& text) {
 }
 
 Point goalOf(const Options& options) {
-  if (options.x.empty() != options.y.empty()) throw std::invalid_argument("give both --x and --y");
-  if (!options.x.empty()) return {toCoordinate("--x", options.x), toCoordinate("--y", options.y)};
+  const bool has_x = options.x != kWorldsOwn, has_y = options.y != kWorldsOwn;
+  if (has_x != has_y) throw std::invalid_argument("give both --x and --y");
+  if (has_x) return {toCoordinate("--x", options.x), toCoordinate("--y", options.y)};
   if (options.world_file.empty()) throw std::invalid_argument("give --x and --y or --world-file");
   return loadWorld(options.world_file).goal;
 }
@@ -53,14 +57,15 @@ move_base_msgs::MoveBaseGoal toActionGoal(const Point& goal, const std::string& 
 // Sends a goal, waits for the end of the trip, says how far it is and how it went.
 class GoalSender {
  public:
+  using State = actionlib::SimpleClientGoalState;
+
   GoalSender() : client_("move_base", false) {
     metrics_subscriber_ = node_.subscribe("sim_metrics", 10, &GoalSender::onMetrics, this);
     status_subscriber_ = node_.subscribe("planner_status", 10, &GoalSender::onStatus, this);
   }
 
-  // Returns whether the goal was reached and nobody came too close.
-  bool drive(const Options& options, const Point& goal) {
-    const ros::WallTime give_up = ros::WallTime::now() + ros::WallDuration(options.timeout);
+  // Returns whether the goal was reached and nobody came too close, or a newer goal took over.
+  bool drive(const Options& options, const Point& goal, const ros::WallTime& give_up) {
     while (!client_.isServerConnected()) {
       if (!pauseUntil(give_up)) return fail(ros::ok() ? "no planner answers" : "interrupted");
     }
@@ -70,35 +75,64 @@ class GoalSender {
                        const geometry_msgs::PoseStamped& base = feedback->base_position;
                        if (base.header.frame_id == options.frame) showProgress(base, goal);
                      });
+    is_sent_ = true;
     while (!client_.getState().isDone()) {
       if (!pauseUntil(give_up)) break;
     }
-    if (!client_.getState().isDone()) client_.cancelGoal();
-    const bool reached = client_.getState() == actionlib::SimpleClientGoalState::SUCCEEDED;
-    std::cerr << "send_goal: " << client_.getState().toString() << ", "
-              << client_.getState().getText() << std::endl;
-    return summarise(reached);
+    if (!client_.getState().isDone()) return giveUp(options.timeout);
+    const State end = client_.getState();
+    say(fmt::format("{}, {}", end.toString(), end.getText()));
+    const bool is_fine = summarise(end == State::SUCCEEDED);
+    return is_fine || (end == State::PREEMPTED && end.getText() == kTakenOver);
+  }
+
+  // Sums up a trip that did not come about.
+  static bool fail(const std::string& reason) {
+    say(reason);
+    std::cout << summaryOf(false, std::nullopt, std::nullopt) << std::endl;
+    return false;
   }
 
  private:
-  void onMetrics(const EpisodeMetricsMessage& metrics) { metrics_ = metrics; }
-  void onStatus(const PlannerStatus& status) { status_ = status; }
+  // News of this trip, not of the one before or after it.
+  bool isOfThisTrip() {
+    if (!is_sent_) return false;
+    const State state = client_.getState();
+    return state == State::ACTIVE || state == State::SUCCEEDED;
+  }
+
+  void onMetrics(const EpisodeMetricsMessage& metrics) {
+    const bool is_next_trip = metrics_ && client_.getState() == State::SUCCEEDED &&
+                              metrics.travel_time < metrics_->travel_time;
+    if (isOfThisTrip() && !is_next_trip) metrics_ = metrics;
+  }
+
+  void onStatus(const PlannerStatus& status) {
+    const bool is_next_trip =
+        status_ && client_.getState() == State::SUCCEEDED && status.decisions < status_->decisions;
+    if (isOfThisTrip() && !is_next_trip) status_ = status;
+  }
 
   void showProgress(const geometry_msgs::PoseStamped& base, const Point& goal) {
     const ros::WallTime now = ros::WallTime::now();
     if (now < next_progress_) return;
     next_progress_ = now + ros::WallDuration(kProgressPeriod);
     const geometry_msgs::Point& here = base.pose.position;
-    std::cerr << fmt::format("send_goal: {:.0f} s, {:.1f} m to the goal",
-                             (base.header.stamp - sent_).toSec(),
-                             std::hypot(goal.x() - here.x, goal.y() - here.y))
-              << std::endl;
+    say(fmt::format("{:.0f} s, {:.1f} m to the goal", (base.header.stamp - sent_).toSec(),
+                    std::hypot(goal.x() - here.x, goal.y() - here.y)));
   }
 
-  bool fail(const std::string& reason) {
-    std::cerr << "send_goal: " << reason << std::endl;
+  bool giveUp(double timeout) {
+    std::string reason = ros::ok() ? fmt::format("timed out after {:g} s", timeout) : "interrupted";
+    if (ros::ok() && client_.getState() == State::PENDING) reason += ", the goal was not taken";
+    if (ros::ok() && status_) reason += " in " + status_->state_name;
+    if (ros::ok() && status_ && !status_->stop_cause.empty()) reason += ": " + status_->stop_cause;
+    client_.cancelGoal();
+    say(reason);
     return summarise(false);
   }
+
+  static void say(const std::string& text) { std::cerr << "send_goal: " << text << std::endl; }
 
   static bool pauseUntil(const ros::WallTime& give_up) {
     ros::spinOnce();
@@ -106,21 +140,30 @@ class GoalSender {
     return ros::ok() && ros::WallTime::now() < give_up;
   }
 
+  // What was not received is no number.
+  static std::string summaryOf(bool reached, const std::optional<EpisodeMetricsMessage>& metrics,
+                               const std::optional<PlannerStatus>& status) {
+    const auto count = [](bool is_there, unsigned value) {
+      return is_there ? std::to_string(value) : "nan";
+    };
+    const EpisodeMetricsMessage m = metrics.value_or(EpisodeMetricsMessage());
+    const PlannerStatus s = status.value_or(PlannerStatus());
+    return fmt::format(
+        "goal_reached={} travel_time_s={:.1f} min_moving_distance_m={:.2f} unsafe_steps={} "
+        "sudden_brakes={} decisions={} deadline_misses={}",
+        reached, metrics ? m.travel_time : NAN, metrics ? m.min_moving_distance : NAN,
+        count(metrics.has_value(), m.unsafe_steps), count(status.has_value(), s.sudden_brakes),
+        count(status.has_value(), s.decisions), count(status.has_value(), s.deadline_misses));
+  }
+
   // The newest metrics may be a tick older than the result.
   bool summarise(bool reached) {
     const ros::WallTime settled = ros::WallTime::now() + ros::WallDuration(0.5);
     while (pauseUntil(settled)) {
     }
-    const EpisodeMetricsMessage metrics = metrics_.value_or(EpisodeMetricsMessage());
-    const PlannerStatus status = status_.value_or(PlannerStatus());
-    std::cout << fmt::format(
-                     "goal_reached={} travel_time_s={:.1f} min_moving_distance_m={:.2f} "
-                     "unsafe_steps={} sudden_brakes={} decisions={} deadline_misses={}",
-                     reached, metrics.travel_time, metrics.min_moving_distance,
-                     metrics.unsafe_steps, status.sudden_brakes, status.decisions,
-                     status.deadline_misses)
-              << std::endl;
-    return reached && metrics.unsafe_steps == 0;
+    if (reached && !metrics_) say("no metrics received: remap sim_metrics to those of sim_node");
+    std::cout << summaryOf(reached, metrics_, status_) << std::endl;
+    return reached && metrics_ && metrics_->unsafe_steps == 0;
   }
 
   ros::NodeHandle node_;
@@ -128,9 +171,22 @@ class GoalSender {
   ros::Subscriber metrics_subscriber_, status_subscriber_;
   std::optional<EpisodeMetricsMessage> metrics_;
   std::optional<PlannerStatus> status_;
+  bool is_sent_ = false;
   ros::Time sent_;
   ros::WallTime next_progress_;
 };
+
+// Without a master a node would wait for ever.
+bool drive(const Options& options, const Point& goal) {
+  const ros::WallTime give_up = ros::WallTime::now() + ros::WallDuration(options.timeout);
+  while (!ros::master::check()) {
+    if (ros::WallTime::now() >= give_up) {
+      return GoalSender::fail("no ROS master answers at " + ros::master::getURI());
+    }
+    ros::WallDuration(0.1).sleep();
+  }
+  return GoalSender().drive(options, goal, give_up);
+}
 
 }  // namespace
 }  // namespace pomdp_crowd_nav
@@ -141,15 +197,15 @@ int main(int argc, char** argv) {
   Options options;
   CLI::App app("Sends a goal to the planner, waits for the end of the trip and sums it up");
   app.add_option("--world-file", options.world_file, "world whose goal is sent");
-  app.add_option("--x", options.x, "[m] goal, instead of the world's");
-  app.add_option("--y", options.y, "[m] goal, instead of the world's");
+  app.add_option("--x", options.x, "[m] goal; 'world': the world's");
+  app.add_option("--y", options.y, "[m] goal; 'world': the world's");
   app.add_option("--frame", options.frame, "frame of --x and --y");
   app.add_option("--timeout", options.timeout, "[s] after which the goal is cancelled")
-      ->check(CLI::PositiveNumber);
+      ->check(positiveNumber());
   try {
     app.parse(argc, argv);
     const Point goal = goalOf(options);
-    return GoalSender().drive(options, goal) ? 0 : 1;
+    return drive(options, goal) ? 0 : 1;
   } catch (const CLI::CallForHelp& help) {
     return app.exit(help);
   } catch (const std::exception& error) {

@@ -31,11 +31,11 @@ class BadInputTest(unittest.TestCase):
         path.write_text(text)
         return str(path)
 
-    def run_program(self, name, *args):
+    def run_program(self, name, *args, **environment):
         program = roslib.packages.find_node(PACKAGE, name)[0]
         return subprocess.run([program, *args], cwd=self.folder, stdin=subprocess.DEVNULL,
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-                              timeout=30, check=False)
+                              timeout=30, check=False, env={**os.environ, **environment})
 
     def expect_refusal(self, name, args, *words):
         result = self.run_program(name, *args)
@@ -130,6 +130,27 @@ class SendGoalTest(BadInputTest):
 
     def test_unknown_option(self):
         self.expect_refusal("send_goal", ["--z", "1"], "--z")
+
+    def test_one_coordinate(self):
+        self.expect_refusal("send_goal", ["--x", "1", "--y", "world"], "give both --x and --y")
+
+    def test_timeout_out_of_range(self):
+        self.expect_refusal("send_goal", ["--x", "1", "--y", "1", "--timeout", "0"],
+                            "--timeout", "above 0", "'0'")
+
+    def expect_no_trip(self, reason, **environment):
+        result = self.run_program("send_goal", "--x", "1", "--y", "1", "--timeout", "1",
+                                  **environment)
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertIn(reason, result.stderr)
+        self.assertIn("goal_reached=false travel_time_s=nan min_moving_distance_m=nan",
+                      result.stdout)
+
+    def test_without_a_planner(self):
+        self.expect_no_trip("no planner answers")
+
+    def test_without_a_master(self):
+        self.expect_no_trip("no ROS master", ROS_MASTER_URI="http://127.0.0.1:1")
 
 
 class NodesTest(BadInputTest):

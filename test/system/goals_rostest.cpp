@@ -2,12 +2,34 @@
 #include <gtest/gtest.h>
 #include <nav_msgs/GetPlan.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <future>
 #include <limits>
 
 #include "navigation_client.h"
 
 namespace pomdp_crowd_nav {
 namespace {
+
+struct ProgramRun {
+  int status = -1;     // of its end
+  std::string output;  // both of its outputs
+};
+
+// Runs the tool of that name, which lies beside this test.
+ProgramRun runSendGoal(const std::string& arguments) {
+  const auto folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  const std::string command = (folder / "send_goal").string() + " " + arguments + " 2>&1";
+  ProgramRun run;
+  std::FILE* pipe = popen(command.c_str(), "r");
+  if (pipe == nullptr) return run;
+  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) run.output += static_cast<char>(c);
+  run.status = WEXITSTATUS(pclose(pipe));
+  return run;
+}
 
 class GoalsTest : public testing::Test {
  protected:
@@ -87,6 +109,48 @@ TEST_F(GoalsTest, NewerGoalPreemptsAndRefusedOneDoesNot) {
     other.cancel();
     EXPECT_TRUE(other.waitForEnd(5.0));
   }
+}
+
+TEST_F(GoalsTest, SendGoalInventsNoMetrics) {
+  const ProgramRun run = runSendGoal("--x 1.2 --y 25 --timeout 30");
+  EXPECT_EQ(run.status, 1) << run.output;
+  EXPECT_NE(run.output.find("no metrics received"), std::string::npos) << run.output;
+  EXPECT_NE(run.output.find("goal_reached=true travel_time_s=nan min_moving_distance_m=nan"),
+            std::string::npos)
+      << run.output;
+}
+
+TEST_F(GoalsTest, SendGoalSumsUpItsOwnTripWhenANewerGoalTakesOver) {
+  auto sender = std::async(std::launch::async, runSendGoal,
+                           "--x 20 --y 40 --timeout 60 sim_metrics:=sim_node/metrics "
+                           "planner_status:=planner_node/status");
+  ASSERT_TRUE(client_.waitForMotion(30.0)) << client_.status().stop_cause;
+  ASSERT_TRUE(client_.waitUntil(10.0, [this] { return client_.status().decisions >= 3; }));
+  client_.send(15.0, 20.0);
+  const ProgramRun run = sender.get();
+  EXPECT_EQ(run.status, 0) << run.output;
+  unsigned decisions = 0;
+  const size_t at = run.output.find("decisions=");
+  ASSERT_NE(at, std::string::npos) << run.output;
+  EXPECT_EQ(std::sscanf(run.output.c_str() + at, "decisions=%u", &decisions), 1);
+  EXPECT_GE(decisions, 3u) << run.output;
+  EXPECT_EQ(run.output.find("nan"), std::string::npos) << run.output;
+  client_.cancel();
+  EXPECT_TRUE(client_.waitForEnd(5.0));
+}
+
+TEST_F(GoalsTest, SendGoalSaysInWhatTheTimeRanOut) {
+  ros::ServiceClient pause = ros::NodeHandle().serviceClient<PauseService>("planner_node/pause");
+  PauseService call;
+  call.request.data = true;
+  ASSERT_TRUE(pause.call(call));
+  const ProgramRun run =
+      runSendGoal("--x 20 --y 40 --timeout 3 planner_status:=planner_node/status");
+  EXPECT_EQ(run.status, 1) << run.output;
+  EXPECT_NE(run.output.find("timed out after 3 s in PAUSED: paused"), std::string::npos)
+      << run.output;
+  call.request.data = false;
+  ASSERT_TRUE(pause.call(call));
 }
 
 TEST_F(GoalsTest, PauseStopsAndResumeGoesOn) {

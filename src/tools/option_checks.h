@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <string>
+
+#include "pomdp_crowd_nav/params/number_text.h"
+
+namespace pomdp_crowd_nav {
+
+// Checks of command line options; what they answer is one line that fits behind the option's name.
+
+inline CLI::Validator wholeNumber(std::int64_t lowest, std::int64_t highest) {
+  const auto check = [=](std::string& text) -> std::string {
+    const auto value = parseInteger(text);
+    if (value && *value >= lowest && *value <= highest) return "";
+    return fmt::format("expected a whole number from {} to {}, got '{}'", lowest, highest, text);
+  };
+  return CLI::Validator(check, fmt::format("{} to {}", lowest, highest));
+}
+
+// Greater than 0, at most a million.
+inline CLI::Validator positiveNumber() {
+  constexpr double kHighest = 1.0e6;
+  const auto check = [=](std::string& text) -> std::string {
+    const auto value = parseDouble(text);
+    if (value && *value > 0.0 && *value <= kHighest) return "";
+    return fmt::format("expected a number above 0, at most {:.0f}, got '{}'", kHighest, text);
+  };
+  return CLI::Validator(check, "above 0");
+}
+
+}  // namespace pomdp_crowd_nav
