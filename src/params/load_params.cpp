@@ -3,8 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
+
+#include "pomdp_crowd_nav/planner/planner_factory.h"
 
 namespace pomdp_crowd_nav {
 namespace {
@@ -25,6 +28,22 @@ void readChoice(ParamReader& reader, const std::string& key, Choice& field, cons
 void requirePositive(const char* key, double value) {
   if (value > 0.0) return;
   throw std::invalid_argument(fmt::format("{} must be positive, got {}", key, value));
+}
+
+// A node cannot start and end its decisions faster, and a model with slower ones makes no sense.
+void requireFrequency(double frequency) {
+  constexpr double kLowest = 0.1, kHighest = 5.0;  // [Hz]
+  if (frequency >= kLowest && frequency <= kHighest) return;
+  throw std::invalid_argument(fmt::format("planner_frequency must be between {} and {} Hz, got {}",
+                                          kLowest, kHighest, frequency));
+}
+
+void requireKnownPlanner(const std::string& name) {
+  const std::vector<std::string> names = plannerNames();
+  if (std::find(names.begin(), names.end(), name) != names.end()) return;
+  std::string known;
+  for (const std::string& other : names) known += (known.empty() ? "" : ", ") + other;
+  throw std::invalid_argument(fmt::format("planner must be one of {}, got '{}'", known, name));
 }
 
 void readVehicle(ParamReader& reader, VehicleParams& vehicle) {
@@ -52,7 +71,7 @@ void readModel(ParamReader& reader, ModelParams& model) {
   readReward(reader, model.reward);
   double frequency = 1.0 / model.step;
   reader.read("planner_frequency", frequency);
-  requirePositive("planner_frequency", frequency);
+  requireFrequency(frequency);
   model.step = 1.0 / frequency;
   reader.read("xy_goal_tolerance", model.goal_tolerance);
   reader.read("model/horizon", model.horizon);
@@ -113,6 +132,7 @@ NavigationParams loadNavigationParams(ParamReader& reader) {
   reader.read("search_time", params.search_time);
   reader.read("controller_frequency", params.controller_frequency);
   reader.read("yaw_goal_tolerance", params.yaw_goal_tolerance);
+  requireKnownPlanner(params.planner);
   validate(params.planning);
   requirePositive("search_time", params.search_time);
   requirePositive("controller_frequency", params.controller_frequency);

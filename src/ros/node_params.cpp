@@ -3,16 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cstdint>
 #include <stdexcept>
-
-#include "pomdp_crowd_nav/planner/planner_factory.h"
 
 namespace pomdp_crowd_nav {
 namespace {
-
-// Decisions start and end this early at least, see DecisionSchedule.
-constexpr double kShortestStep = 0.2;  // [s]
 
 FrameNames readFrames(ParamReader& reader) {
   FrameNames frames;
@@ -22,12 +17,11 @@ FrameNames readFrames(ParamReader& reader) {
   return frames;
 }
 
-void requireKnownPlanner(const std::string& name) {
-  const std::vector<std::string> names = plannerNames();
-  if (std::find(names.begin(), names.end(), name) != names.end()) return;
-  std::string known;
-  for (const std::string& other : names) known += (known.empty() ? "" : ", ") + other;
-  throw std::invalid_argument(fmt::format("planner must be one of {}, got '{}'", known, name));
+std::uint64_t readSeed(ParamReader& reader, std::uint64_t preset) {
+  int seed = static_cast<int>(preset);
+  reader.read("seed", seed);
+  if (seed >= 0) return static_cast<std::uint64_t>(seed);
+  throw std::invalid_argument(fmt::format("seed must not be negative, got {}", seed));
 }
 
 // Keys of the libraries that live in the same namespace, and are theirs to read.
@@ -46,18 +40,10 @@ PlannerNodeParams loadPlannerNodeParams(ParamReader& reader) {
   params.frames = readFrames(reader);
   reader.read("world_file", params.world_file);
   reader.read("map_timeout", params.map_timeout);
-  int seed = static_cast<int>(params.navigation.planning.seed);
-  reader.read("seed", seed);
-  params.navigation.planning.seed = static_cast<std::uint64_t>(seed);
+  params.navigation.planning.seed = readSeed(reader, params.navigation.planning.seed);
   const bool has_destinations = reader.read("destinations", params.destinations);
   acceptLibraryKeys(reader);
   reader.requireAllUsed();
-  requireKnownPlanner(params.navigation.planner);
-  if (params.navigation.planning.model.step < kShortestStep) {
-    throw std::invalid_argument(fmt::format("planner_frequency must be at most {} Hz, got {}",
-                                            1.0 / kShortestStep,
-                                            1.0 / params.navigation.planning.model.step));
-  }
   if (params.map_timeout < 0.0) {
     throw std::invalid_argument(
         fmt::format("map_timeout must not be negative, got {}", params.map_timeout));
@@ -80,9 +66,7 @@ SimNodeParams loadSimNodeParams(ParamReader& reader) {
   reader.read("tracks_file", params.tracks_file);
   reader.read("pedestrians", params.simulator.pedestrians);
   reader.read("map_resolution", params.map_resolution);
-  int seed = static_cast<int>(params.simulator.seed);
-  reader.read("seed", seed);
-  params.simulator.seed = static_cast<std::uint64_t>(seed);
+  params.simulator.seed = readSeed(reader, params.simulator.seed);
   reader.requireAllUsed();
   if (params.world_file.empty())
     throw std::invalid_argument("no world to simulate: set ~world_file");

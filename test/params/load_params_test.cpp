@@ -219,7 +219,11 @@ TEST(LoadParams, AWrongTypeNamesTheKey) {
 
 TEST(LoadParams, AValueOutOfRangeIsRefused) {
   EXPECT_EQ(messageFor("model: {discount: 1.2}"), "discount must be in (0, 1), got 1.2");
-  EXPECT_EQ(messageFor("planner_frequency: -0.5"), "planner_frequency must be positive, got -0.5");
+  EXPECT_EQ(messageFor("planner_frequency: -0.5"),
+            "planner_frequency must be between 0.1 and 5 Hz, got -0.5");
+  EXPECT_EQ(messageFor("planner_frequency: 6"),
+            "planner_frequency must be between 0.1 and 5 Hz, got 6");
+  EXPECT_EQ(messageFor("planner: fmm"), "planner must be one of 2d_fmm, 2d_straight, got 'fmm'");
   EXPECT_EQ(messageFor("search_time: -0.5"), "search_time must be positive, got -0.5");
   EXPECT_EQ(messageFor("controller_frequency: -0.5"),
             "controller_frequency must be positive, got -0.5");

@@ -197,3 +197,7 @@ class NodesTest(BadInputTest):
 
 if __name__ == "__main__":
     rosunit.unitrun(PACKAGE, "bad_input", "__main__")
+    def test_nodes_with_a_negative_seed(self):
+        self.expect_node_refusal("sim_node", {"world_file": WORLD, "seed": -1}, "seed", "-1")
+        self.expect_node_refusal("planner_node", {"world_file": WORLD, "seed": -1}, "seed", "-1")
+

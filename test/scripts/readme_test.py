@@ -90,11 +90,12 @@ def check_parameters(root, tables):
     check_defaults(profile_sim, keys_of(simulator), 1, headers)
 
     nodes = (root / "src/ros/node_params.cpp").read_text()
-    frames, rest = nodes.split("void requireKnownPlanner")
+    frames, rest = nodes.split("std::uint64_t readSeed")
+    seed, rest = rest.split("// Keys of the libraries")
     library, rest = rest.split("PlannerNodeParams loadPlannerNodeParams")
     planner, sim = rest.split("SimNodeParams loadSimNodeParams")
     expected = {key: "both" for key in keys_of(frames)}
-    for name, source in (("planner_node", library + planner), ("sim_node", sim)):
+    for name, source in (("planner_node", seed + library + planner), ("sim_node", seed + sim)):
         for key in keys_of(source):
             expected[key] = name if key not in expected else "both"
     rows = tables.get("Of the nodes", {})
