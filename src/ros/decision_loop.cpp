@@ -9,7 +9,7 @@
 #include <tuple>
 
 #include "pomdp_crowd_nav/planner/planner_factory.h"
-#include "pomdp_crowd_nav/ros/reachability.h"
+#include "pomdp_crowd_nav/evaluation/reachability.h"
 #include "pomdp_crowd_nav/ros/steady_time.h"
 
 namespace pomdp_crowd_nav {

@@ -8,7 +8,7 @@
 
 #include "pomdp_crowd_nav/planner/planner_factory.h"
 #include "pomdp_crowd_nav/ros/markers.h"
-#include "pomdp_crowd_nav/ros/reachability.h"
+#include "pomdp_crowd_nav/evaluation/reachability.h"
 #include "pomdp_crowd_nav/ros/steady_time.h"
 
 namespace pomdp_crowd_nav {

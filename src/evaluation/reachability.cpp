@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pomdp_crowd_nav/ros/reachability.h"
+#include "pomdp_crowd_nav/evaluation/reachability.h"
 
 #include <fmt/format.h>
 
@@ -11,12 +11,13 @@ namespace {
 
 constexpr const char* kBlindPlanner = "2d_straight";  // its path is a beeline, its search is not
 constexpr double kSpacing = 0.1;                      // [m], of the places looked at along a path
+constexpr double kTouch = 0.51 * kSpacing;            // [m], no wall fits between two places
 constexpr double kSlack = 0.5;  // [m], beyond the goal tolerance, that a path may miss
 
 bool isBlocked(const Point& from, const Point& to, const StaticMap& map) {
   const int pieces = std::max(1, static_cast<int>(std::ceil((to - from).norm() / kSpacing)));
   for (int i = 1; i <= pieces; ++i) {
-    if (map.clearance(from + (to - from) * i / pieces) <= 0.0) return true;
+    if (map.clearance(from + (to - from) * i / pieces) <= kTouch) return true;
   }
   return false;
 }
@@ -40,7 +41,7 @@ std::string whyNoWay(const std::vector<Point>& path, const Point& goal, const St
   const double slack = params.planning.model.goal_tolerance + kSlack;
   const std::string no_way = fmt::format("no way to the goal ({:.2f}, {:.2f})", goal.x(), goal.y());
   size_t begin = 0;
-  while (begin < path.size() && map.clearance(path[begin]) <= 0.0) ++begin;
+  while (begin < path.size() && map.clearance(path[begin]) <= kTouch) ++begin;
   if (begin == path.size()) return no_way;
   for (size_t i = begin + 1; i < path.size(); ++i) {
     if (!isBlocked(path[i - 1], path[i], map)) continue;

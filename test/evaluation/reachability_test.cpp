@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pomdp_crowd_nav/ros/reachability.h"
+#include "pomdp_crowd_nav/evaluation/reachability.h"
 
 #include <gtest/gtest.h>
 
@@ -37,6 +37,13 @@ TEST_F(NoWay, PathThroughTheObstacleIsNone) {
   const std::string reason = why({{0.0, 0.0}, {20.0, 0.0}});
   EXPECT_NE(reason.find("no way to the goal"), std::string::npos);
   EXPECT_NE(reason.find("obstacle"), std::string::npos);
+}
+
+TEST_F(NoWay, PathThroughAWallOfNoThicknessIsNone) {
+  StaticMap::Obstacles wall;
+  wall.polygons.push_back({{Point(7.03, -50.0), Point(7.03, 50.0)}, false});
+  map_ = StaticMap(map_.bounds(), wall);
+  EXPECT_NE(why({{0.0, 0.0}, {20.0, 0.0}}), "");
 }
 
 TEST_F(NoWay, PathThatEndsBeforeTheGoalIsNone) {
