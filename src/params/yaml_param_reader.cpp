@@ -10,6 +10,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "pomdp_crowd_nav/params/file_errors.h"
 #include "pomdp_crowd_nav/params/number_text.h"
 
 namespace pomdp_crowd_nav {
@@ -61,7 +62,7 @@ YamlParamReader YamlParamReader::fromFile(const std::string& path) {
   std::ostringstream text;
   if (file.peek() != std::ifstream::traits_type::eof()) text << file.rdbuf();
   if (!file.is_open() || file.bad()) {
-    throw std::runtime_error(fmt::format("{}: the file cannot be read", path));
+    throw std::runtime_error(cannotBeRead(path));
   }
   return fromText(text.str(), path);
 }

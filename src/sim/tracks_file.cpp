@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "pomdp_crowd_nav/params/file_errors.h"
 #include "pomdp_crowd_nav/params/number_text.h"
 
 namespace pomdp_crowd_nav {
@@ -98,7 +99,7 @@ std::vector<TrackSample> readTracksFile(const std::string& path) {
   std::ifstream file(path);
   file.peek();  // fails on a directory
   if (!file.is_open() || file.bad()) {
-    throw std::runtime_error(fmt::format("{}: the file cannot be read", path));
+    throw std::runtime_error(cannotBeRead(path));
   }
   RowReader reader(path);
   std::string line;

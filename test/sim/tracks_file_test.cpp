@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "temporary_file.h"
 
 namespace pomdp_crowd_nav {
@@ -59,6 +61,9 @@ TEST(TracksFile, NeedsAHeaderAndRows) {
 TEST(TracksFile, NamesAFileThatCannotBeRead) {
   EXPECT_EQ(messageOf([] { readTracksFile("/nowhere/tracks.csv"); }),
             "/nowhere/tracks.csv: the file cannot be read");
+  const std::string here = std::filesystem::current_path().string();
+  EXPECT_EQ(messageOf([] { readTracksFile("nowhere.csv"); }),
+            "nowhere.csv: the file cannot be read (looked for in " + here + ")");
   EXPECT_EQ(messageOf([] { readTracksFile(SOURCE_DIR); }), SOURCE_DIR ": the file cannot be read");
 }
 
