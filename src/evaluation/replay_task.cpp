@@ -7,40 +7,75 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "pomdp_crowd_nav/params/file_errors.h"
+
 namespace pomdp_crowd_nav {
 namespace {
 
 using Json = nlohmann::json;
 
-Point pointOf(const Json& pair) { return {pair.at(0).get<double>(), pair.at(1).get<double>()}; }
+const Json& member(const Json& item, const char* key) {
+  if (item.is_object() && item.contains(key)) return item.at(key);
+  throw std::runtime_error(fmt::format("'{}' is missing", key));
+}
+
+double numberOf(const Json& value, const char* key) {
+  if (value.is_number()) return value.get<double>();
+  throw std::runtime_error(fmt::format("'{}': expected a number, got {}", key, value.dump()));
+}
+
+double number(const Json& item, const char* key) { return numberOf(member(item, key), key); }
+
+Point point(const Json& item, const char* key) {
+  const Json& pair = member(item, key);
+  if (pair.is_array() && pair.size() == 2) return {numberOf(pair[0], key), numberOf(pair[1], key)};
+  throw std::runtime_error(fmt::format("'{}': expected [x, y], got {}", key, pair.dump()));
+}
 
 ReplayTask taskOf(const Json& item) {
   ReplayTask task;
-  task.person = item.at("ped_id").get<std::int64_t>();
-  task.start_time = item.at("t_start_s").get<double>();
-  task.start = pointOf(item.at("start"));
-  task.goal = pointOf(item.at("goal"));
-  task.person_time = item.at("human_time_s").get<double>();
-  task.person_min_distance = item.at("human_min_distance_m").get<double>();
+  const Json& person = member(item, "ped_id");
+  if (!person.is_number_integer()) {
+    throw std::runtime_error("'ped_id': expected a whole number, got " + person.dump());
+  }
+  task.person = person.get<std::int64_t>();
+  task.start_time = number(item, "t_start_s");
+  task.start = point(item, "start");
+  task.goal = point(item, "goal");
+  task.person_time = number(item, "human_time_s");
+  task.person_min_distance = number(item, "human_min_distance_m");
   return task;
+}
+
+Json parse(std::ifstream& file) {
+  try {
+    return Json::parse(file);
+  } catch (const Json::exception& error) {
+    const std::string text = error.what();  // begins with [json.exception...]
+    const size_t begin = text.find("] ");
+    throw std::runtime_error(begin == std::string::npos ? text : text.substr(begin + 2));
+  }
 }
 
 }  // namespace
 
 std::vector<ReplayTask> loadReplayTasks(const std::string& path) {
   std::ifstream file(path);
-  if (!file) throw std::runtime_error(fmt::format("{}: cannot be read", path));
+  file.peek();  // fails on a directory
+  if (!file.is_open() || file.bad()) throw std::runtime_error(cannotBeRead(path));
   std::vector<ReplayTask> tasks;
+  std::string where;  // in the file
   try {
-    const Json recording = Json::parse(file);
-    for (const Json& item : recording.at("replace_person_tasks").at("items")) {
+    const Json recording = parse(file);
+    const Json& items = member(member(recording, "replace_person_tasks"), "items");
+    if (!items.is_array() || items.empty()) throw std::runtime_error("'items' has no task");
+    for (const Json& item : items) {
+      where = fmt::format("task {}: ", tasks.size() + 1);
       tasks.push_back(taskOf(item));
     }
-  } catch (const Json::exception& error) {
-    throw std::runtime_error(
-        fmt::format("{}: expected replace_person_tasks with items: {}", path, error.what()));
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(fmt::format("{}: {}{}", path, where, error.what()));
   }
-  if (tasks.empty()) throw std::runtime_error(fmt::format("{}: has no task", path));
   return tasks;
 }
 

@@ -25,6 +25,23 @@ TEST(ReplayTask, ReadsWhatARecordingAsks) {
   EXPECT_EQ(world.left_out, std::vector<std::int64_t>{7});
 }
 
+TEST(ReplayTask, SaysWhatIsWrongInItsOwnWords) {
+  const auto messageFor = [](const std::string& items) {
+    const TemporaryFile file("tasks.json", R"({"replace_person_tasks": {"items": )" + items + "}}");
+    const std::string message = messageOf([&] { loadReplayTasks(file.path()); });
+    return message.substr(message.find(": ") + 2);
+  };
+  EXPECT_EQ(messageFor("[]"), "'items' has no task");
+  EXPECT_EQ(messageFor("[{}]"), "task 1: 'ped_id' is missing");
+  EXPECT_EQ(messageFor(R"([{"ped_id": 1.5}])"),
+            "task 1: 'ped_id': expected a whole number, got 1.5");
+  EXPECT_EQ(messageFor(R"([{"ped_id": 1, "t_start_s": "soon"}])"),
+            "task 1: 't_start_s': expected a number, got \"soon\"");
+  EXPECT_EQ(messageFor(R"([{"ped_id": 1, "t_start_s": 0, "start": [1]}])"),
+            "task 1: 'start': expected [x, y], got [1]");
+  EXPECT_EQ(messageFor("[").rfind("parse error at line 1", 0), 0u) << messageFor("[");
+}
+
 TEST(ReplayTask, NamesTheFileThatIsWrong) {
   const TemporaryFile file("tasks.json", R"({"replace_person_tasks": {"items": [{"ped_id": 7}]}})");
   try {
