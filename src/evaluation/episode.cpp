@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
+#include "pomdp_crowd_nav/evaluation/reachability.h"
 #include "pomdp_crowd_nav/planner/planner_factory.h"
 
 namespace pomdp_crowd_nav {
@@ -44,6 +46,15 @@ class Trip {
       result_.mean_trials /= result_.metrics.decisions;
     }
     return result_;
+  }
+
+  // Why the goal cannot be reached even if nobody were about; empty when it can.
+  std::string whyNot() const {
+    const World& world = simulator_.world();
+    const std::string reason = whyNotAPlace(world.goal, map_, model_);
+    if (!reason.empty()) return reason;
+    return whyNoWay(planner_->globalPath(world.start.position), world.goal, map_,
+                    params_.navigation);
   }
 
  private:
@@ -168,6 +179,16 @@ const char* describe(EpisodeEnd end) {
       return "hit an obstacle";
   }
   return "unknown";
+}
+
+void requireDrivable(const World& world, const EpisodeParams& params) {
+  std::string reason;
+  try {
+    reason = Trip(world, params).whyNot();
+  } catch (const std::exception& error) {
+    reason = error.what();
+  }
+  if (!reason.empty()) throw std::runtime_error(world.name + ": " + reason);
 }
 
 EpisodeResult runEpisode(const World& world, const EpisodeParams& params,

@@ -3,7 +3,10 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <stdexcept>
 
+#include "config_files.h"
+#include "option_checks.h"
 #include "pomdp_crowd_nav/evaluation/replay_task.h"
 #include "pomdp_crowd_nav/params/yaml_param_reader.h"
 
@@ -12,8 +15,9 @@ using namespace pomdp_crowd_nav;
 namespace {
 
 struct Options {
-  std::string world = "config/worlds/ucy_zara01.yaml";
-  std::string profile = "config/profiles/street.yaml";
+  std::string config = findConfigFolder();
+  std::string world = "ucy_zara01";
+  std::string profile = "street";
   std::string tracks;
   std::string tasks;
   long max_trials = 200;
@@ -22,8 +26,8 @@ struct Options {
 
 constexpr double kContactDistance = 0.6;  // [m], between centres
 
-void run(const Options& options) {
-  auto reader = YamlParamReader::fromFile(options.profile);
+EpisodeParams loadEpisodeParams(const Options& options) {
+  auto reader = YamlParamReader::fromFile(configFile(options.config, "profiles", options.profile));
   EpisodeParams params;
   params.navigation = loadNavigationParams(reader);
   params.simulator = loadSimulatorParams(reader, params.navigation.planning.model.vehicle);
@@ -31,10 +35,26 @@ void run(const Options& options) {
   params.max_trials = options.max_trials;
   params.seed = options.seed;
   params.time_limit = 120.0;
+  return params;
+}
 
-  World world = loadWorld(options.world);
+void requireDrivableTasks(const std::vector<ReplayTask>& tasks, const World& world,
+                          const EpisodeParams& params, const std::string& file) {
+  for (const ReplayTask& task : tasks) {
+    try {
+      requireDrivable(worldOf(task, world), params);
+    } catch (const std::exception& error) {
+      throw std::runtime_error(fmt::format("{}: person {}: {}", file, task.person, error.what()));
+    }
+  }
+}
+
+void run(const Options& options) {
+  const EpisodeParams params = loadEpisodeParams(options);
+  World world = loadWorld(configFile(options.config, "worlds", options.world));
   world.tracks_file = options.tracks;
   const std::vector<ReplayTask> tasks = loadReplayTasks(options.tasks);
+  requireDrivableTasks(tasks, world, params, options.tasks);
   std::vector<EpisodeResult> results;
   fmt::print(
       "person,end,travel_time_s,person_time_s,min_moving_distance_m,person_min_distance_m\n");
@@ -59,14 +79,20 @@ int main(int argc, char** argv) {
       "Lets the robot take the place of recorded people, one trip each, and compares it with "
       "them."};
   Options options;
-  app.add_option("--world", options.world, "World file of the recording")->capture_default_str();
-  app.add_option("--profile", options.profile, "Profile file of the robot")->capture_default_str();
+  app.add_option("--config", options.config, "Folder of worlds and profiles")
+      ->capture_default_str();
+  app.add_option("--world", options.world, "The recording's: a name in config/worlds, or a file")
+      ->capture_default_str();
+  app.add_option("--profile", options.profile, "A name in config/profiles, or a file")
+      ->capture_default_str();
   app.add_option("--tracks", options.tracks, "CSV of the recorded people")->required();
   app.add_option("--tasks", options.tasks, "JSON with replace_person_tasks")->required();
   app.add_option("--max-trials", options.max_trials, "Search trials for each decision")
-      ->check(CLI::PositiveNumber)
+      ->check(wholeNumber(1, 1000000000))
       ->capture_default_str();
-  app.add_option("--seed", options.seed, "Seed of the sampled futures")->capture_default_str();
+  app.add_option("--seed", options.seed, "Seed of the sampled futures")
+      ->check(wholeNumber(0, 4294967295))
+      ->capture_default_str();
   try {
     app.parse(argc, argv);
     run(options);

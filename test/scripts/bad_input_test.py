@@ -98,6 +98,47 @@ class RunExperimentsTest(BadInputTest):
     def test_missing_tracks_file(self):
         self.expect(["--worlds", "ucy_zara01", "--tracks", "nowhere.csv"], "nowhere.csv")
 
+    def test_missing_tracks_file_leaves_no_output(self):
+        path = self.folder / "results.csv"
+        self.expect(["--worlds", "ucy_zara01", "--tracks", "nowhere.csv", "--output", str(path)],
+                    "nowhere.csv", str(self.folder))
+        self.assertFalse(path.exists())
+
+    def test_tracks_without_their_world(self):
+        self.expect(["--tracks", self.write("tracks.csv", TRACKS_HEADER + "0.0,1,2.0,3.0\n")],
+                    "--tracks", "--worlds")
+
+    def test_world_without_a_way(self):
+        text = pathlib.Path(WORLD).read_text() + """
+polygons:
+  - {closed: false, vertices: [[30.0, 0.0], [30.0, 100.0]]}
+"""
+        self.expect(["--worlds", self.write("wall.yaml", text)], "wall", "no way to the goal")
+
+    def test_unknown_names_come_with_the_choice(self):
+        self.expect(["--worlds", "atlantis"], "atlantis", "scenario_1, scenario_2")
+        self.expect(["--profile", "atlantis"], "atlantis", "movo, paper, street")
+
+    def test_missing_file_with_the_short_ending(self):
+        self.expect(["--worlds", "w/mine.yml"], "w/mine.yml: ", str(self.folder))
+
+    def test_config_that_is_no_folder(self):
+        self.expect_refusal("run_experiments", ["--config", "nowhere"], "--config", "nowhere")
+
+    def test_numbers_out_of_range(self):
+        self.expect(["--seed", "-1"], "--seed", "'-1'")
+        self.expect(["--pedestrians", "1e3"], "whole number from 0 to 10000", "'1e3'")
+        self.expect(["--max-trials", "0"], "whole number from 1 to 1000000000", "'0'")
+        for value in ("0", "-1", "nan", "inf"):
+            self.expect(["--search-time", value], "above 0", f"'{value}'")
+
+    def test_profile_that_no_node_would_take(self):
+        text = (SHARE / "config/profiles/paper.yaml").read_text()
+        fast = text.replace("planner_frequency: 1.0", "planner_frequency: 6.0")
+        self.expect(["--profile", self.write("fast.yaml", fast)], "planner_frequency", "6")
+        other = text.replace("planner: 2d_fmm", "planner: fmm")
+        self.expect(["--profile", self.write("fmm.yaml", other)], "planner", "fmm", "2d_fmm")
+
     def test_text_in_a_number_column(self):
         path = self.write("tracks.csv", TRACKS_HEADER + "0.0,1,2.0,3.0\n0.4,1,left,3.0\n")
         self.expect(["--worlds", "ucy_zara01", "--tracks", path], "tracks.csv:3", "x_m", "left")
@@ -105,8 +146,53 @@ class RunExperimentsTest(BadInputTest):
     def test_output_that_cannot_be_written(self):
         self.expect(["--output", "nowhere/results.csv"], "nowhere/results.csv")
 
+    def test_progress_does_not_stick_to_rows_on_a_terminal(self):
+        program = roslib.packages.find_node(PACKAGE, "run_experiments")[0]
+        args = [program, "--config", f"{SHARE}/config", "--pedestrians", "0", "--max-trials", "1"]
+        ours, theirs = os.openpty()
+        with os.fdopen(ours), os.fdopen(theirs, "w") as terminal:
+            shown = subprocess.run(args, stdin=subprocess.DEVNULL, stdout=terminal,
+                                   stderr=subprocess.PIPE, text=True, timeout=30, check=True)
+        self.assertNotIn("episodes", shown.stderr)
+        piped = self.run_program("run_experiments", *args[1:])
+        self.assertIn("1/1 episodes", piped.stderr)
+
+    def test_world_decides_on_the_profile(self):
+        result = self.run_program("run_experiments", "--worlds", "ucy_zara01", "scenario_1",
+                                  "--pedestrians", "0", "--max-trials", "1")
+        self.assertIn("ucy_zara01: with the profile street", result.stderr)
+        self.assertNotIn("scenario_1: with", result.stderr)
+        street, paper = (row.split(",") for row in result.stdout.splitlines()[1:])
+        self.assertLess(float(street[5]), 12.0)
+        self.assertGreater(float(paper[5]), 50.0)
+
     def test_help_is_no_error(self):
         self.assertEqual(self.run_program("run_experiments", "--help").returncode, 0)
+
+
+class RunReplayTasksTest(BadInputTest):
+    TASK = ('{{"ped_id": {}, "t_start_s": 0, "start": [1, 5], "goal": {}, "human_time_s": 9,'
+            ' "human_min_distance_m": 1}}')
+
+    def expect(self, tasks, *words):
+        tracks = self.write("tracks.csv", TRACKS_HEADER + "0.0,7,2.0,3.0\n0.4,7,2.4,3.0\n")
+        path = self.write("tasks.json", '{"replace_person_tasks": {"items": [' + tasks + "]}}")
+        self.expect_refusal("run_replay_tasks", ["--tracks", tracks, "--tasks", path],
+                            "tasks.json", *words)
+
+    def test_person_who_is_not_there_is_found_before_the_first_trip(self):
+        good = self.TASK.format(7, "[12, 5]")
+        self.expect(good + "," + self.TASK.format(999, "[12, 5]"), "person 999")
+
+    def test_goal_that_is_no_place(self):
+        self.expect(self.TASK.format(7, "[12, 105]"), "person 7", "off the map")
+
+    def test_words_of_the_json_library_are_not_shown(self):
+        self.expect('{"ped_id": 7}', "task 1: 't_start_s' is missing")
+        self.expect("{", "parse error")
+        result = self.run_program("run_replay_tasks", "--tracks", "none.csv", "--tasks",
+                                  str(self.folder / "tasks.json"))
+        self.assertNotIn("json.exception", result.stderr)
 
 
 class RosrunTest(unittest.TestCase):
@@ -161,6 +247,10 @@ class NodesTest(BadInputTest):
         self.expect_node_refusal("sim_node", {"world_file": WORLD, "pedestrians": -3},
                                  "pedestrians", "-3")
 
+    def test_nodes_with_a_negative_seed(self):
+        self.expect_node_refusal("sim_node", {"world_file": WORLD, "seed": -1}, "seed", "-1")
+        self.expect_node_refusal("planner_node", {"world_file": WORLD, "seed": -1}, "seed", "-1")
+
     def test_sim_node_with_a_text_for_a_number(self):
         self.expect_node_refusal("sim_node", {"world_file": WORLD, "pedestrians": "many"},
                                  "pedestrians")
@@ -197,7 +287,3 @@ class NodesTest(BadInputTest):
 
 if __name__ == "__main__":
     rosunit.unitrun(PACKAGE, "bad_input", "__main__")
-    def test_nodes_with_a_negative_seed(self):
-        self.expect_node_refusal("sim_node", {"world_file": WORLD, "seed": -1}, "seed", "-1")
-        self.expect_node_refusal("planner_node", {"world_file": WORLD, "seed": -1}, "seed", "-1")
-

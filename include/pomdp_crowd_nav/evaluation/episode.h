@@ -51,4 +51,8 @@ struct EpisodeMoment {
 EpisodeResult runEpisode(const World& world, const EpisodeParams& params,
                          const std::function<void(const EpisodeMoment&)>& observer = nullptr);
 
+// Throws with one line that names the world where `runEpisode` could not begin, the goal is no
+// place for the robot, or there is no way to it.
+void requireDrivable(const World& world, const EpisodeParams& params);
+
 }  // namespace pomdp_crowd_nav
