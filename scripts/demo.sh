@@ -15,12 +15,14 @@ usage: scripts/demo.sh [options]
 Drives one simulated trip through a crowd and sums it up in the last line of standard output.
 Exits with 0 when the goal was reached and nobody came too close, 1 otherwise, 2 on a bad option.
 
-  --world NAME       set-up, a file of config/worlds without its ending (scenario_1)
+  --world NAME       set-up, a file of config/worlds without its ending, or the path of
+                     another yaml file (scenario_1)
   --pedestrians N    people, where they are generated (100)
   --planner NAME     what drives (2d_fmm)
   --seed N           of the crowd and of the sampled futures (1)
-  --profile NAME     vehicle and tuning, a file of config/profiles without its ending
-  --tracks FILE      CSV of recorded people: time_s,ped_id,x_m,y_m
+  --profile NAME     vehicle and tuning, a file of config/profiles without its ending (paper for
+                     worlds named scenario_..., street for all others)
+  --tracks FILE      CSV of recorded people: time_s,ped_id,x_m,y_m; needs --world
   --rviz, --no-rviz  show it in RViz or not (shown when there is a display)
   --build-only       install and build, do not drive
   --help             this text
@@ -40,6 +42,22 @@ check_name() {
   local option=$1 folder=$2 name=$3
   [[ $name =~ ^[A-Za-z0-9_-]+$ && -e $source_dir/config/$folder/$name.yaml ]] ||
     die 2 "$option: there is no '$name'; choose one of: $(names_in "$folder")"
+}
+
+check_file() {
+  [[ -f $2 && -r $2 ]] || die 2 "$1: the file '$2' cannot be read"
+}
+
+# A name, or the path of a file, which simulation.launch takes as world_file.
+check_world() {
+  local world=${given[world]}
+  if ! [[ $world == */* || $world == *.yaml || $world == *.yml ]]; then
+    check_name --world worlds "$world"
+    return
+  fi
+  check_file --world "$world"
+  given[world_file]=$(realpath "$world")
+  unset 'given[world]'
 }
 
 check_number() {
@@ -78,7 +96,7 @@ check_options() {
   local name
   for name in "${!given[@]}"; do
     case $name in
-      world) check_name --world worlds "${given[world]}" ;;
+      world) check_world ;;
       profile) check_name --profile profiles "${given[profile]}" ;;
       pedestrians) check_number --pedestrians "${given[pedestrians]}" 10000 ;;
       seed) check_number --seed "${given[seed]}" 999999999 ;;
@@ -87,8 +105,9 @@ check_options() {
           die 2 "--planner must be a name, got '${given[planner]}'"
         ;;
       tracks)
-        [[ -f ${given[tracks]} && -r ${given[tracks]} ]] ||
-          die 2 "--tracks: the file '${given[tracks]}' cannot be read"
+        check_file --tracks "${given[tracks]}"
+        [[ -n ${given[world]:-}${given[world_file]:-} ]] ||
+          die 2 "--tracks needs --world, the place where these people walked"
         given[tracks]=$(realpath "${given[tracks]}")
         ;;
     esac

@@ -67,6 +67,9 @@ void SimulationServer::start(const SimNodeParams& params) {
   if (simulator_) time_before_reset_ += simulator_->time();
   params_ = params;
   simulator_ = std::move(simulator);
+  ROS_INFO("simulating %s, robot of radius %.2f m, up to %.2f m/s",
+           simulator_->world().name.c_str(), params.simulator.vehicle.radius,
+           params.simulator.vehicle.max_speed);
   observer_ = std::make_unique<TripObserver>(observerParams(params), simulator_->world().goal);
   odom_origin_ = simulator_->world().start;
   planner_status_ = PlannerStatus();

@@ -239,6 +239,61 @@ class SendGoalTest(BadInputTest):
         self.expect_no_trip("no ROS master", ROS_MASTER_URI="http://127.0.0.1:1")
 
 
+class DemoTest(BadInputTest):
+    def expect(self, args, *words):
+        result = subprocess.run([f"{SHARE}/scripts/demo.sh", *args], cwd=self.folder,
+                                stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                stderr=subprocess.PIPE, text=True, timeout=30, check=False)
+        self.assertEqual(result.returncode, 2, result.stderr)
+        self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
+        for word in words:
+            self.assertIn(word, result.stderr)
+
+    def test_tracks_without_their_world(self):
+        self.expect(["--tracks", self.write("t.csv", TRACKS_HEADER)], "--tracks needs --world")
+
+    def test_unknown_world(self):
+        self.expect(["--world", "atlantis"], "atlantis", "scenario_1 scenario_2")
+        self.expect(["--world", "./atlantis.yaml"], "./atlantis.yaml", "cannot be read")
+
+
+class LaunchTest(unittest.TestCase):
+    """What simulation.launch makes of its arguments; needs no master."""
+
+    def roslaunch(self, *args):
+        result = subprocess.run(["roslaunch", *args], stdin=subprocess.DEVNULL,
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                                timeout=60, check=True)
+        return result.stdout
+
+    def params(self, *args):
+        return self.roslaunch("--dump-params", PACKAGE, "simulation.launch", *args)
+
+    def test_world_of_ones_own(self):
+        params = self.params("world_file:=/tmp/my worlds/yard.yaml")
+        for node in ("sim_node", "planner_node"):
+            self.assertIn(f"/{node}/world_file: /tmp/my worlds/yard.yaml", params)
+        self.assertIn("/sim_node/robot_radius: 0.3", params, "the profile street")
+
+    def test_defaults(self):
+        params = self.params()
+        self.assertRegex(params, r"/sim_node/world_file: \S+/config/worlds/scenario_1.yaml")
+        self.assertIn("/sim_node/robot_radius: 1.0", params, "the profile paper")
+        self.assertIn("/sim_node/tracks_file: ''", params)
+        self.assertIn("/sim_node/tracks_file: /x.csv", self.params("tracks:=/x.csv"))
+
+    def test_goal(self):
+        def command(*args):
+            return self.roslaunch("--args", "send_goal", PACKAGE, "simulation.launch", *args)
+        self.assertIn("--x=world --y=world", command())
+        self.assertIn("--x=-3 --y=7.5", command("goal_x:=-3", "goal_y:=7.5"))
+
+    def test_every_argument_is_optional_and_explained(self):
+        text = self.roslaunch("--ros-args", PACKAGE, "simulation.launch")
+        self.assertNotIn("Required", text)
+        self.assertNotIn("undocumented", text)
+
+
 class NodesTest(BadInputTest):
     def test_sim_node_without_a_world_of_that_name(self):
         self.expect_node_refusal("sim_node", {"world_file": "atlantis.yaml"}, "atlantis.yaml")
