@@ -35,6 +35,15 @@ MarkerBuilder::MarkerBuilder(const std_msgs::Header& header) : header_(header) {
   array_.markers.push_back(clear);
 }
 
+// RViz calls an empty list an error; to delete one is none.
+visualization_msgs::MarkerArray MarkerBuilder::take() {
+  using visualization_msgs::Marker;
+  for (Marker& marker : array_.markers) {
+    if (marker.action == Marker::ADD && marker.points.empty()) marker.action = Marker::DELETE;
+  }
+  return std::move(array_);
+}
+
 visualization_msgs::Marker& MarkerBuilder::beginList(const std::string& name, int type,
                                                      double scale, double z) {
   visualization_msgs::Marker list;

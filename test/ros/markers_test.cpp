@@ -18,6 +18,8 @@ void expectSound(const MarkerArray& array) {
   for (size_t i = 1; i < array.markers.size(); ++i) {
     const Marker& marker = array.markers[i];
     EXPECT_LT(marker.points.size(), kMaxPoints);
+    EXPECT_EQ(marker.action, marker.points.empty() ? Marker::DELETE : Marker::ADD)
+        << "RViz takes no empty list for " << marker.ns;
     EXPECT_EQ(marker.points.size(), marker.colors.size());
     EXPECT_GT(marker.scale.x, 0.0);
     EXPECT_DOUBLE_EQ(marker.pose.orientation.w, 1.0);
@@ -52,6 +54,7 @@ TEST(TreeMarkers, GreenIsGoodAndRedIsBad) {
 
 TEST(TreeMarkers, AreEmptyForAnEmptyTree) {
   expectSound(treeMarkers(TreeView(), 1.0, std_msgs::Header()));
+  expectSound(beliefMarkers({CrowdBelief(), {Point(0.0, 0.0)}, {}, 1.0}, std_msgs::Header()));
 }
 
 TEST(TreeMarkers, LeaveOutWhatIsNotFinite) {

@@ -19,7 +19,7 @@ class MarkerBuilder {
   // holds until the next list is begun.
   visualization_msgs::Marker& beginList(const std::string& name, int type, double scale, double z);
 
-  visualization_msgs::MarkerArray take() { return std::move(array_); }
+  visualization_msgs::MarkerArray take();
 
  private:
   std_msgs::Header header_;
