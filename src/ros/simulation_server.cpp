@@ -191,7 +191,13 @@ void SimulationServer::onInitialPose(const geometry_msgs::PoseWithCovarianceStam
     ROS_WARN("initialpose must be finite and in frame '%s'", params_.frames.global.c_str());
     return;
   }
+  if (!simulator_->world().bounds.contains(pose->position)) {
+    ROS_WARN("initialpose (%.2f, %.2f) is off the field and ignored", pose->position.x(),
+             pose->position.y());
+    return;
+  }
   simulator_->placeRobot(*pose);
+  observer_->jump();
   odom_origin_ = *pose;
 }
 

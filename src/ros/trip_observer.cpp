@@ -19,6 +19,11 @@ void TripObserver::begin(const Point& goal, double time) {
   trail_.clear();
 }
 
+void TripObserver::jump() {
+  recorder_.jump();
+  trail_.clear();
+}
+
 void TripObserver::look(const Simulator& simulator) {
   if (!begin_time_ || is_over_) return;
   const SimulatedBase& base = simulator.base();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <geometry_msgs/PoseWithCovarianceStamped.h>
 #include <gtest/gtest.h>
 #include <nav_msgs/GetPlan.h>
 
@@ -179,6 +180,18 @@ TEST_F(GoalsTest, GoalOfRvizIsDrivenTo) {
   client_.cancelAll();
   EXPECT_TRUE(
       client_.waitUntil(8.0, [this] { return client_.status().state == PlannerStatus::IDLE; }));
+}
+
+TEST_F(GoalsTest, RobotIsNotPutOffTheField) {
+  const LogListener log;
+  ros::Publisher publisher =
+      ros::NodeHandle().advertise<geometry_msgs::PoseWithCovarianceStamped>("initialpose", 1);
+  geometry_msgs::PoseWithCovarianceStamped pose;
+  pose.header.frame_id = "map";
+  pose.pose.pose = toMessage(Pose{Point(500.0, 20.0), 0.0});
+  const auto isRefused = [&] { return log.has("is off the field and ignored"); };
+  for (int i = 0; i < 20 && !client_.waitUntil(0.5, isRefused); ++i) publisher.publish(pose);
+  EXPECT_TRUE(isRefused());
 }
 
 // How near the way from one side of (50, 50) to the other leads to it; negative without a plan.

@@ -5,6 +5,7 @@
 #include <geometry_msgs/Twist.h>
 #include <move_base_msgs/MoveBaseAction.h>
 #include <ros/ros.h>
+#include <rosgraph_msgs/Log.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +15,21 @@
 #include "pomdp_crowd_nav/ros/conversions.h"
 
 namespace pomdp_crowd_nav {
+
+// What the nodes write to their logs.
+class LogListener {
+ public:
+  LogListener() { subscriber_ = node_.subscribe("/rosout", 100, &LogListener::onLog, this); }
+
+  bool has(const std::string& text) const { return log_.find(text) != std::string::npos; }
+
+ private:
+  void onLog(const rosgraph_msgs::Log& line) { log_ += line.msg + "\n"; }
+
+  ros::NodeHandle node_;
+  ros::Subscriber subscriber_;
+  std::string log_;
+};
 
 // A plain actionlib client of the planner that also listens to its status and commands.
 class NavigationClient {

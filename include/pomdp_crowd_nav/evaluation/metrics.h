@@ -42,6 +42,8 @@ class MetricsRecorder {
   // Between ticks: counts unsafe steps and the smallest distance alone. Returns the distance to the
   // nearest person [m], infinite for a robot at rest.
   double look(double time, const Point& robot, double speed, const std::vector<Walker>& walkers);
+  // The robot was put elsewhere: it has not driven there.
+  void jump() { has_position_ = false; }
   // The robot is at the goal: the travel time stands still, everything else goes on.
   void arrive() { has_arrived_ = true; }
   void countReflex() { ++metrics_.sudden_brakes; }

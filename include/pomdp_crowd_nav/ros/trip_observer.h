@@ -24,6 +24,8 @@ class TripObserver {
   TripObserver(const Params& params, const Point& goal);
 
   void begin(const Point& goal, double time);
+  // The robot was put elsewhere.
+  void jump();
 
   // At every step of the base, however short.
   void look(const Simulator& simulator);
