@@ -6,9 +6,9 @@
 #include <chrono>
 #include <thread>
 
+#include "pomdp_crowd_nav/evaluation/reachability.h"
 #include "pomdp_crowd_nav/planner/planner_factory.h"
 #include "pomdp_crowd_nav/ros/markers.h"
-#include "pomdp_crowd_nav/evaluation/reachability.h"
 #include "pomdp_crowd_nav/ros/steady_time.h"
 
 namespace pomdp_crowd_nav {
@@ -16,6 +16,8 @@ namespace {
 
 constexpr double kReportPeriod = 0.25;     // [s], of beliefs; status comes with every second one
 constexpr int kReportsPerDiagnostics = 4;  // 1 Hz
+constexpr int kReportsBeforeWarning = 5;   // of the status: 2.5 s
+constexpr int kReportsPerWarning = 20;     // 10 s
 
 MotionExecutor makeExecutor(const NavigationParams& params) {
   return MotionExecutor(params.command, params.planning.model.vehicle,
@@ -144,13 +146,23 @@ void NavigationServer::onReportTimer() {
       [](Drive& drive) { return std::make_pair(drive.inputs.crowd, drive.inputs.map); });
   if (map) display_.setSymbolSize(symbolSize(map->bounds()));
   display_.showBeliefs(crowd);
-  if (++reports_ % 2 == 0) publishStatus();
+  if (++reports_ % 2 == 0) warnOfMissingInput(publishStatus());
   if (reports_ % kReportsPerDiagnostics == 0) status_.publishDiagnostics();
 }
 
-void NavigationServer::publishStatus() {
-  status_.publish(drive_.with(
-      [this](Drive& drive) { return toStatus(drive, command_loop_.limits(), steadySeconds()); }));
+PlannerStatus NavigationServer::publishStatus() {
+  const PlannerStatus status = drive_.with(
+      [this](Drive& drive) { return toStatus(drive, command_loop_.limits(), steadySeconds()); });
+  status_.publish(status);
+  return status;
+}
+
+// Says in the log what ~status has said for a while.
+void NavigationServer::warnOfMissingInput(const PlannerStatus& status) {
+  const bool is_waiting = status.state == PlannerStatus::WAITING_FOR_INPUT;
+  reports_without_input_ = is_waiting ? reports_without_input_ + 1 : 0;
+  if (reports_without_input_ % kReportsPerWarning != kReportsBeforeWarning) return;
+  ROS_WARN("waiting for input: %s", status.stop_cause.c_str());
 }
 
 bool NavigationServer::onPause(PauseService::Request& request, PauseService::Response& response) {

@@ -33,6 +33,15 @@ TEST_F(InputsTest, SilentOdometryStopsTheBase) {
   EXPECT_TRUE(client_.waitForMotion(5.0)) << client_.status().stop_cause;
 }
 
+TEST_F(InputsTest, InputThatStaysAwayIsNamedInTheLog) {
+  const LogListener log;
+  robot_.is_odometry_silent = true;
+  EXPECT_TRUE(client_.waitUntil(
+      8.0, [&] { return log.has("waiting for input: odometry is silent or too old"); }));
+  robot_.is_odometry_silent = false;
+  EXPECT_TRUE(client_.waitForMotion(5.0)) << client_.status().stop_cause;
+}
+
 TEST_F(InputsTest, SilentPeopleStopTheBaseButNobodyAboutDoesNot) {
   robot_.are_people_silent = true;
   EXPECT_TRUE(client_.waitForStop(4.0, "people are silent")) << client_.status().stop_cause;

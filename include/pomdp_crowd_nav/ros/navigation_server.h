@@ -39,7 +39,8 @@ class NavigationServer {
 
   void onCommandTimer();
   void onReportTimer();
-  void publishStatus();
+  PlannerStatus publishStatus();
+  void warnOfMissingInput(const PlannerStatus& status);
   bool onPause(PauseService::Request& request, PauseService::Response& response);
   bool onMakePlan(nav_msgs::GetPlan::Request& request, nav_msgs::GetPlan::Response& response);
 
@@ -51,6 +52,7 @@ class NavigationServer {
   CommandLoop command_loop_;
   std::atomic<bool> is_active_{false};  // commands are being published
   long reports_ = 0;
+  long reports_without_input_ = 0;
   std::uint8_t last_state_ = 0;
 
   InputListener inputs_;
