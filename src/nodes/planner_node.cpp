@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "pomdp_crowd_nav/ros/navigation_server.h"
+#include "pomdp_crowd_nav/ros/node_arguments.h"
 #include "pomdp_crowd_nav/ros/ros_param_reader.h"
 
 namespace {
@@ -26,6 +27,9 @@ void onShutdown(XmlRpc::XmlRpcValue&, XmlRpc::XmlRpcValue& result) {
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "planner_node", ros::init_options::NoSigintHandler);
+  const auto status = pomdp_crowd_nav::answerArguments(
+      "planner_node", "Drives a robot through a crowd to the goals that it is sent.", argc, argv);
+  if (status) return *status;
   try {
     ros::NodeHandle node;
     ros::NodeHandle private_node("~");

@@ -295,6 +295,14 @@ class LaunchTest(unittest.TestCase):
 
 
 class NodesTest(BadInputTest):
+    def test_arguments_that_are_no_parameters(self):
+        for node in ("sim_node", "planner_node"):
+            self.expect_refusal(node, ["world_file"], "world_file", "_NAME:=VALUE")
+            for option in ("--help", "-h"):
+                result = self.run_program(node, option, ROS_MASTER_URI="http://127.0.0.1:1")
+                self.assertEqual(result.returncode, 0, result.stderr)
+                self.assertIn(f"usage: rosrun {PACKAGE} {node}", result.stdout)
+
     def test_sim_node_without_a_world_of_that_name(self):
         self.expect_node_refusal("sim_node", {"world_file": "atlantis.yaml"}, "atlantis.yaml")
 
