@@ -9,6 +9,21 @@ source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 # shellcheck source=scripts/install_dependencies.sh
 . "$source_dir/scripts/install_dependencies.sh"
 
+usage() {
+  cat <<'END'
+usage: scripts/test.sh
+
+Installs what is missing, builds, runs all tests and closes with "N passed, N failed", and the number
+of those that were skipped. Exits with 0 when none failed. Why a test failed or was skipped goes to
+standard error.
+
+  PCN_BUILD_DIR   folder to build in, instead of build/
+  UCY_DATA_DIR    folder of the recordings ucy_zara01.csv, ucy_students03.csv and their .json, which
+                  are not part of the package (README, Recorded people); tests with recorded people
+                  are skipped without them
+END
+}
+
 # Whatever stops the script before the tests were counted is one failure.
 is_counted=false
 # shellcheck disable=SC2317  # the trap calls it
@@ -29,7 +44,15 @@ run_ctest() {
   ctest -j2 --timeout 600 --output-on-failure --output-junit "$BUILD_DIR/test_results/ctest.xml"
 }
 
-(($# == 0)) || die 2 "takes no arguments, got '$1'"
+case ${1:-} in
+  "") ;;
+  --help | -h)
+    is_counted=true # nothing to count
+    usage
+    exit 0
+    ;;
+  *) die 2 "takes no arguments, got '$1' (--help)" ;;
+esac
 prepare_build_dir "$source_dir"
 logs=$BUILD_DIR/logs
 # RViz: the check of the launch files looks for every program they start.

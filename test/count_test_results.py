@@ -5,8 +5,8 @@
 The folder holds ctest.xml (ctest --output-junit) and, below it, what gtest and rostest wrote. A
 program of ctest counts as its own cases where it wrote any and as one case where it did not. It
 counts as one failure more when it failed though all of its cases passed: a crash, a time-out, a
-node that died. Failures go to standard error, "N passed, N failed" to standard output; the exit
-status is 1 when something failed or nothing ran.
+node that died. What failed or was skipped goes to standard error with the reason, "N passed, N
+failed" to standard output; the exit status is 1 when something failed or nothing ran.
 """
 import pathlib
 import re
@@ -22,8 +22,11 @@ def outcome_of(case):
             return "failed", (problem.get("message") or problem.text or "").strip()
     if case.get("status") == "fail":
         return "failed", "the program failed"
-    is_skipped = case.find("skipped") is not None
-    if is_skipped or case.get("status") in ("notrun", "disabled"):
+    skipped = case.find("skipped")
+    if skipped is not None:
+        said = (skipped.get("message") or skipped.text or "").strip().splitlines()
+        return "skipped", said[-1] if said else ""
+    if case.get("status") in ("notrun", "disabled"):
         return "skipped", ""
     return "passed", ""
 
@@ -60,8 +63,9 @@ def count(folder):
 
     def add(name, outcome, reason):
         totals[outcome] += 1
-        if outcome == "failed":
-            print(f"FAILED {name}: " + "\n  ".join(reason.splitlines()[:6]), file=sys.stderr)
+        if outcome != "passed":
+            print(f"{outcome.upper()} {name}: " + "\n  ".join(reason.splitlines()[:6]),
+                  file=sys.stderr)
 
     try:
         programs = list(ElementTree.parse(folder / "ctest.xml").iter("testcase"))

@@ -257,6 +257,15 @@ class DemoTest(BadInputTest):
         self.expect(["--world", "./atlantis.yaml"], "./atlantis.yaml", "cannot be read")
 
 
+class TestScriptTest(unittest.TestCase):
+    def test_help_counts_nothing(self):
+        result = subprocess.run([f"{SHARE}/scripts/test.sh", "--help"], stdin=subprocess.DEVNULL,
+                                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                                timeout=30, check=True)
+        self.assertIn("UCY_DATA_DIR", result.stdout)
+        self.assertNotIn("1 failed", result.stdout)
+
+
 class LaunchTest(unittest.TestCase):
     """What simulation.launch makes of its arguments; needs no master."""
 
