@@ -30,14 +30,24 @@ const Simulator::Params& validated(const Simulator::Params& params) {
   return params;
 }
 
+// A recording of another place shows nobody, which would pass for an empty one.
+std::vector<TrackSample> recordingIn(const World& world) {
+  std::vector<TrackSample> recording = readTracksFile(world.tracks_file);
+  const bool is_of_here = std::any_of(
+      recording.begin(), recording.end(),
+      [&](const TrackSample& sample) { return world.bounds.contains(sample.position); });
+  if (is_of_here) return recording;
+  throw std::invalid_argument(
+      fmt::format("{}: nobody in it walks on the field of {}", world.tracks_file, world.name));
+}
+
 std::unique_ptr<Crowd> makeCrowd(const World& world, const Simulator::Params& params) {
   if (world.tracks_file.empty()) {
     return std::make_unique<CornerCrowd>(
         world, CornerCrowd::Params{params.pedestrians, params.uniform_respawn, params.seed});
   }
   return std::make_unique<RecordedCrowd>(
-      readTracksFile(world.tracks_file),
-      RecordedCrowd::Params{world.tracks_start_time, world.left_out});
+      recordingIn(world), RecordedCrowd::Params{world.tracks_start_time, world.left_out});
 }
 
 }  // namespace

@@ -123,6 +123,10 @@ TEST(Simulator, NamesWhatIsWrong) {
   lost.tracks_file = "/nowhere/tracks.csv";
   EXPECT_EQ(messageOf([&] { Simulator(lost, {}); }),
             "/nowhere/tracks.csv: the file cannot be read");
+  const TemporaryFile elsewhere("elsewhere.csv", "time_s,ped_id,x_m,y_m\n0.0,1,-7.0,5.0\n");
+  lost.tracks_file = elsewhere.path();
+  EXPECT_NE(messageOf([&] { Simulator(lost, {}); }).find("nobody in it walks on the field"),
+            std::string::npos);
   Simulator simulator(world, withPedestrians(0));
   EXPECT_EQ(messageOf([&] { simulator.advance(-0.5); }), "cannot advance by -0.5 s");
 }
