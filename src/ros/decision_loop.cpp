@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "pomdp_crowd_nav/planner/planner_factory.h"
 #include "pomdp_crowd_nav/evaluation/reachability.h"
+#include "pomdp_crowd_nav/planner/planner_factory.h"
 #include "pomdp_crowd_nav/ros/steady_time.h"
 
 namespace pomdp_crowd_nav {

@@ -50,8 +50,8 @@ class InputListener {
   Guarded<Drive>& drive_;
   tf2_ros::Buffer buffer_;
   tf2_ros::TransformListener transforms_;
-  BeliefTracker tracker_;  // touched under the lock of drive_ only
-  ros::Time last_time_;    // touched under the lock of drive_ only
+  BeliefTracker tracker_;                       // touched under the lock of drive_ only
+  ros::Time last_time_;                         // touched under the lock of drive_ only
   std::shared_ptr<const StaticMap> world_map_;  // the world file's, if there is one
   nav_msgs::OccupancyGrid last_grid_;
   ros::Subscriber odometry_, persons_, map_;
