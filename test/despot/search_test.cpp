@@ -322,6 +322,32 @@ TEST(Search, SmallBoundViolationsOfSmallLeavesAreCounted) {
   EXPECT_EQ(result.statistics.bound_violations, 1000);
 }
 
+// Claims to be worth no more than 0 at the start, which the steps below it refute.
+class Understated : public Corridor {
+ public:
+  using Corridor::Corridor;
+  void expand(const State* states, const int* scenarios, int count, int depth,
+              Expansion<Understated>& out) const {
+    expandOneByOne(*this, states, scenarios, count, depth, out);
+  }
+  void rootBounds(const State* states, const int* scenarios, int count, double& lower,
+                  double& upper) const {
+    Corridor::rootBounds(states, scenarios, count, lower, upper);
+    upper = lower + 0.5;
+  }
+};
+
+TEST(Search, BoundViolationsThatComeUpLaterAreCounted) {
+  const Understated model{Corridor::Params()};
+  Search<Understated> search(paramsFor(20, 5, 0.9));
+  const auto result = search.run(model, {{0}}, SearchLimit::trials(kEnough));
+  EXPECT_GE(result.statistics.bound_violations, 1);
+  EXPECT_LE(result.statistics.lower_bound, result.statistics.upper_bound);
+  Search<Corridor> sound(paramsFor(20, 5, 0.9));
+  const auto right = sound.run(Corridor(Corridor::Params()), {{0}}, SearchLimit::trials(kEnough));
+  EXPECT_EQ(right.statistics.bound_violations, 0);
+}
+
 TEST(Search, StopsAtTheNodeLimit) {
   SearchParams params = paramsFor(50, 5, 0.9);
   params.max_nodes = 100;

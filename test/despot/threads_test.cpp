@@ -2,6 +2,9 @@
 // Several threads on one tree.
 #include <gtest/gtest.h>
 
+#include <condition_variable>
+#include <mutex>
+
 #include "models/corridor.h"
 #include "models/every_policy.h"
 #include "models/tiger.h"
@@ -112,6 +115,43 @@ TEST(SearchThreads, EndTogetherAtTheDeadline) {
   const double elapsed = std::chrono::duration<double>(SearchLimit::Clock::now() - start).count();
   EXPECT_EQ(result.statistics.stop, SearchStop::kDeadline);
   EXPECT_LT(elapsed, 0.05 + 1.0) << "a second for a busy machine";
+}
+
+// Its expansions wait for each other, all but the root's: a search gets on only if its threads are
+// inside the model at the same time, hence at different beliefs.
+class Meeting : public Corridor {
+ public:
+  using Corridor::Corridor;
+  void expand(const State* states, const int* scenarios, int count, int depth,
+              Expansion<Meeting>& out) const {
+    if (depth > 0) meet();
+    expandOneByOne(*this, states, scenarios, count, depth, out);
+  }
+  bool haveMet() const { return have_met_; }
+
+ private:
+  void meet() const {
+    std::unique_lock<std::mutex> lock(mutex_);
+    ++present_;
+    have_met_ = have_met_ || present_ == 2;
+    changed_.notify_all();
+    changed_.wait_for(lock, std::chrono::seconds(20), [this] { return have_met_; });
+    --present_;
+  }
+
+  mutable std::mutex mutex_;
+  mutable std::condition_variable changed_;
+  mutable int present_ = 0;
+  mutable bool have_met_ = false;
+};
+
+TEST(SearchThreads, WorkAtDifferentBeliefsAtTheSameTime) {
+  const Meeting model{Corridor::Params()};
+  Search<Meeting> search(paramsFor(2));
+  const auto start = SearchLimit::Clock::now();
+  search.run(model, {{0}}, SearchLimit::trials(50));
+  EXPECT_TRUE(model.haveMet());
+  EXPECT_LT(SearchLimit::Clock::now() - start, std::chrono::seconds(15));
 }
 
 // A trial that finds another at work on its leaf gives way and is not counted.

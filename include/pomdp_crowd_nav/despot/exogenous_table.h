@@ -14,6 +14,8 @@ namespace pomdp_crowd_nav {
 // depth. Drawn once per search, so that a step reads what it would else simulate again and again.
 template <class Value>
 class ExogenousTable {
+  static_assert(!std::is_same_v<Value, bool>, "use char: rows of bits cannot be shared");
+
  public:
   // `first(scenario, noise)` is the value at depth 0, `next(value, scenario, depth, noise)` the one
   // that follows it; `depth` is that of the new value. Reuses memory.

@@ -29,7 +29,7 @@ struct Expansion {
   using State = typename Model::State;
   using Action = typename Model::Action;
 
-  std::vector<Action> actions;   // legal at the node
+  std::vector<Action> actions;   // legal at the node: at least one
   std::vector<Branch> branches;  // action by action: branches[a * scenario_count + i]
   // Next states: one per action where the model shares states, else parallel to branches.
   std::vector<State> states;

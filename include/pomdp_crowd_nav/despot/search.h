@@ -35,9 +35,9 @@ namespace pomdp_crowd_nav {
 //
 // With several threads, each runs trials on the one tree: it holds the tree's lock but while the
 // model expands a node (then the model's const functions run at the same time in several threads).
-// Trials under way lower the attraction of the beliefs they went through, which sends the next one
-// elsewhere (in the manner of HyP-DESPOT, Cai et al. 2018). Trees of several threads are not
-// reproducible.
+// Trials under way lower the attraction of what they went through, which sends the next one
+// elsewhere (virtual loss, in the manner of HyP-DESPOT, Cai et al. 2018). Trees of several threads
+// are not reproducible.
 //
 // One search object serves many searches and keeps its memory. Not thread-safe itself.
 template <class Model>
@@ -46,13 +46,13 @@ class Search {
   using State = typename Model::State;
   using Action = typename Model::Action;
 
+  // Throws std::invalid_argument when a parameter is out of range.
   explicit Search(const SearchParams& params)
-      : params_(params),
+      : params_(validated(params)),
         values_(tree_, params_),
         growth_(tree_, values_, params_),
-        workers_(static_cast<size_t>(std::max(1, params.threads))) {
-    validate(params);
-    tree_.reserve(static_cast<size_t>(params.max_nodes) + params.scenarios);
+        workers_(static_cast<size_t>(params_.threads)) {
+    tree_.reserve(params_, Model::kSharesState);
   }
   Search(const Search&) = delete;
   Search& operator=(const Search&) = delete;
@@ -60,20 +60,8 @@ class Search {
   // `states`: one state where the model shares it, else one per scenario.
   SearchResult<Action> run(const Model& model, const std::vector<State>& states,
                            const SearchLimit& limit) {
-    plantRoot(model, states);
-    // Even a closed root is expanded: which action attains its bounds is not known before.
-    if (params_.max_depth > 0) {
-      std::unique_lock<std::mutex> lock = lockTree();
-      expand(model, 0, workers_[0], lock);
-      values_.backUp(0);
-    }
-    std::vector<std::thread> helpers;
-    for (size_t i = 1; i < workers_.size(); ++i) {
-      helpers.emplace_back([this, &model, &limit, i] { runTrials(model, limit, workers_[i]); });
-    }
-    runTrials(model, limit, workers_[0]);
-    for (std::thread& helper : helpers) helper.join();
-    return collectResult(model);
+    static_assert(!HasExogenous<Model>::value, "a model that draws tables must not be const");
+    return search(model, states, limit);
   }
 
   SearchResult<Action> run(Model& model, const std::vector<State>& states,
@@ -81,7 +69,7 @@ class Search {
     if constexpr (HasExogenous<Model>::value) {
       model.drawExogenous(params_.scenarios, params_.max_depth);
     }
-    return run(std::as_const(model), states, limit);
+    return search(model, states, limit);
   }
 
   const Tree<State, Action>& tree() const { return tree_; }
@@ -102,10 +90,29 @@ class Search {
     kNoRoom
   };
 
+  SearchResult<Action> search(const Model& model, const std::vector<State>& states,
+                              const SearchLimit& limit) {
+    plantRoot(model, states);
+    // Even a closed root is expanded: which action attains its bounds is not known before.
+    if (params_.max_depth > 0) {
+      std::unique_lock<std::mutex> lock = lockTree();
+      expand(model, 0, workers_[0], lock);
+      backUp(0);
+    }
+    std::vector<std::thread> helpers;
+    for (size_t i = 1; i < workers_.size(); ++i) {
+      helpers.emplace_back([this, &model, &limit, i] { runTrials(model, limit, workers_[i]); });
+    }
+    runTrials(model, limit, workers_[0]);
+    for (std::thread& helper : helpers) helper.join();
+    return collectResult(model);
+  }
+
   void plantRoot(const Model& model, const std::vector<State>& states) {
     tree_.clear();
     statistics_ = {};
     is_stopped_ = false;
+    longest_trial_ = {};
     tree_.states.assign(states.begin(), states.end());
     for (int k = 0; k < params_.scenarios; ++k) tree_.scenarios.push_back(k);
     double lower = 0.0;
@@ -134,11 +141,9 @@ class Search {
     using Clock = SearchLimit::Clock;
     const bool timed = limit.deadline != Clock::time_point::max();
     Clock::time_point now = timed ? Clock::now() : Clock::time_point();
-    Clock::duration longest_trial{0};
     std::unique_lock<std::mutex> lock = lockTree();
-    while (!is_stopped_) {
-      if (isEnough(limit)) break;
-      if (timed && now + longest_trial >= limit.deadline) {
+    while (!isEnough(limit) && !is_stopped_) {
+      if (timed && now + longest_trial_ >= limit.deadline) {
         stop(SearchStop::kDeadline);
         break;
       }
@@ -154,7 +159,7 @@ class Search {
       }
       if (!timed) continue;
       const Clock::time_point then = Clock::now();
-      longest_trial = std::max(longest_trial, then - now);
+      longest_trial_ = std::max(longest_trial_, then - now);
       now = then;
     }
   }
@@ -200,9 +205,11 @@ class Search {
       belief = child;
     }
     for (int b = belief; b >= 0; b = tree_.parentBelief(b)) --tree_.beliefs[b].visitors;
-    values_.backUp(belief);
+    if (outcome != Trial::kMetAnother) backUp(belief);
     return outcome;
   }
+
+  void backUp(int belief) { statistics_.bound_violations += values_.backUp(belief); }
 
   bool hasRoom() const {
     return static_cast<int>(tree_.beliefs.size()) < params_.max_nodes &&
@@ -251,7 +258,8 @@ class Search {
   TreeGrowth<Model> growth_;
   SearchStatistics statistics_;
   bool is_stopped_ = false;
-  std::mutex tree_mutex_;  // all of the above, but while no trials run
+  SearchLimit::Clock::duration longest_trial_{0};
+  std::mutex tree_mutex_;  // guards all of the above while trials run
   std::vector<Worker> workers_;
 };
 

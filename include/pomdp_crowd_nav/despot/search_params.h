@@ -21,6 +21,10 @@ struct SearchParams {
 
 // Throws std::invalid_argument naming the first field that is out of range.
 void validate(const SearchParams& params);
+inline const SearchParams& validated(const SearchParams& params) {
+  validate(params);
+  return params;
+}
 
 // When to stop: whichever comes first.
 struct SearchLimit {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
+
+#include "pomdp_crowd_nav/despot/search_params.h"
 
 namespace pomdp_crowd_nav {
 
@@ -60,14 +63,20 @@ struct Tree : TreeNodes {
   std::vector<std::int32_t> scenarios;
   std::vector<State> states;
 
-  // Room for a tree of `count` beliefs: a vector that moved while it grows would hold up a search
-  // for longer than its margin. Pages that are never used cost nothing.
-  void reserve(std::size_t count) {
-    beliefs.reserve(count);
-    action_nodes.reserve(2 * count);  // some actions end all scenarios and have no belief below
-    actions.reserve(2 * count);
-    scenarios.reserve(2 * count);
-    states.reserve(2 * count);
+  // Room for a tree of as many nodes as the parameters allow: a vector that moved while it grows
+  // would hold up a search for longer than its margin. Pages that are never used cost nothing.
+  void reserve(const SearchParams& params, bool shares_state) {
+    const auto bytes = static_cast<std::size_t>(params.max_memory * 1e6);
+    const auto nodes = static_cast<std::size_t>(params.max_nodes);
+    const auto scenarios_each = static_cast<std::size_t>(shares_state ? 2 : params.scenarios);
+    const auto room = [bytes](std::size_t count, std::size_t size) {
+      return std::min(count, bytes / size) + 10000;  // and one large expansion more
+    };
+    beliefs.reserve(room(nodes, sizeof(BeliefNode)));
+    action_nodes.reserve(room(4 * nodes, sizeof(ActionNode)));  // some have no belief below
+    actions.reserve(room(4 * nodes, sizeof(ActionNode)));
+    scenarios.reserve(room(scenarios_each * nodes, sizeof(std::int32_t)));
+    states.reserve(room(scenarios_each * nodes, sizeof(State)));
   }
 
   std::size_t bytes() const {

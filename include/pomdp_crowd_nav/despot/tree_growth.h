@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -29,6 +30,7 @@ class TreeGrowth {
   }
 
   void addActions(int belief, const Expansion<Model>& expansion, SearchStatistics& statistics) {
+    assert(!expansion.actions.empty());
     const BeliefNode node = tree_.beliefs[belief];
     const int first_action = static_cast<int>(tree_.action_nodes.size());
     const int action_count = static_cast<int>(expansion.actions.size());

@@ -17,7 +17,8 @@ class TreeValues {
       : tree_(tree),
         regularization_(static_cast<float>(params.regularization)),
         target_gap_(static_cast<float>(params.target_gap)),
-        scenarios_(static_cast<float>(params.scenarios)) {}
+        scenarios_(static_cast<float>(params.scenarios)),
+        has_visitors_(params.threads > 1) {}
 
   // Bounds of a new node, all weighted; `weight` is that of a return of 1 in all its scenarios.
   // Returns false, and clamps, if the lower bound is above the upper.
@@ -54,11 +55,17 @@ class TreeValues {
     return node.upper - node.lower - targetGap(node);
   }
 
+  // Highest upper bound. Where several threads are at work, an action whose only belief is being
+  // visited counts as if the visitors would close their share of its gap from above.
   int mostPromisingAction(int belief) const {
     const BeliefNode& node = tree_.beliefs[belief];
     int best = node.first_action;
+    float best_upper = promise(best);
     for (int a = best + 1; a < node.first_action + node.action_count; ++a) {
-      if (tree_.action_nodes[a].upper > tree_.action_nodes[best].upper) best = a;
+      const float upper = promise(a);
+      if (upper <= best_upper) continue;
+      best = a;
+      best_upper = upper;
     }
     return best;
   }
@@ -103,15 +110,17 @@ class TreeValues {
   }
 
   // Recomputes every value from `belief` to the root. Bounds only ever move inward: both the old
-  // and the new value are valid.
-  void backUp(int belief) {
-    if (!tree_.beliefs[belief].isLeaf()) refine(tree_.beliefs[belief]);
+  // and the new value are valid. Returns at how many nodes they were found not to be.
+  int backUp(int belief) {
+    int violations = 0;
+    if (!tree_.beliefs[belief].isLeaf()) violations += refine(tree_.beliefs[belief]) ? 0 : 1;
     for (int action = tree_.beliefs[belief].parent; action >= 0;) {
       sumChildren(action);
       BeliefNode& parent = tree_.beliefs[tree_.action_nodes[action].parent];
-      refine(parent);
+      violations += refine(parent) ? 0 : 1;
       action = parent.parent;
     }
+    return violations;
   }
 
   void sumChildren(int action) {
@@ -127,7 +136,16 @@ class TreeValues {
   }
 
  private:
-  void refine(BeliefNode& node) const {
+  float promise(int action) const {
+    const ActionNode& node = tree_.action_nodes[action];
+    if (!has_visitors_ || node.child_count != 1) return node.upper;
+    const BeliefNode& child = tree_.beliefs[node.first_child];
+    const auto visitors = static_cast<float>(child.visitors);
+    return node.upper - (child.upper - child.lower) * visitors / (1.0F + visitors);
+  }
+
+  // Returns false, and gives up the upper bound, if the lower one has risen above it.
+  bool refine(BeliefNode& node) const {
     float lower = node.default_value;
     float upper = node.default_value;
     float utility = node.default_value;
@@ -136,9 +154,12 @@ class TreeValues {
       upper = std::max(upper, tree_.action_nodes[a].upper);
       utility = std::max(utility, tree_.action_nodes[a].utility_upper);
     }
+    const float rounding = 1e-4F * (std::abs(lower) + std::abs(node.utility_upper)) + 1e-6F;
+    const bool is_valid = lower <= node.utility_upper + rounding;
     node.lower = std::max(node.lower, lower);
-    node.utility_upper = std::max(node.default_value, std::min(node.utility_upper, utility));
+    node.utility_upper = std::max(node.lower, std::min(node.utility_upper, utility));
     node.upper = node.blocked ? node.lower : std::max(node.lower, std::min(node.upper, upper));
+    return is_valid;
   }
 
   // The part of the root's gap that may remain in a node (Ye et al. 2017, section 4.2).
@@ -150,6 +171,7 @@ class TreeValues {
   float regularization_;  // lambda
   float target_gap_;      // xi
   float scenarios_;       // K
+  bool has_visitors_;     // of other threads
 };
 
 }  // namespace pomdp_crowd_nav
