@@ -60,7 +60,7 @@ void CrowdFutures::draw(const Shape& shape, const std::vector<PersonBelief>& peo
         Place& place = places_[moment * person_count_ + i];
         place = placeAt(walker.position);
         if (last != nullptr) {
-          longest_stride_sq = std::max(longest_stride_sq, distanceSq(*last, place));
+          if (d > 1) longest_stride_sq = std::max(longest_stride_sq, distanceSq(*last, place));
           setMiddle(*last, place);
         }
         last = &place;

@@ -10,11 +10,9 @@ namespace pomdp_crowd_nav {
 // One choice of the planner: a change of heading (delta_theta) and of speed (delta_s). Small, for
 // the search tree holds one for each of its nodes.
 struct Action {
-  enum class Heading : std::uint8_t {
-    kTurn,
-    kFollowPrior
-  };                  // kFollowPrior: delta_RO, along the
-                      // prior's path
+  // kFollowPrior: delta_RO, along the prior's path.
+  enum class Heading : std::uint8_t { kTurn, kFollowPrior };
+
   float turn = 0.0F;  // [rad], for kTurn
   Heading heading = Heading::kTurn;
   std::int8_t speed_steps = 0;  // -1, 0 or 1 times the speed step

@@ -39,7 +39,8 @@ class CrowdFutures {
   int personCount() const { return person_count_; }
   int depth() const { return depth_; }
   int scenarioCount() const { return scenario_count_; }
-  float longestStride() const { return longest_stride_; }  // [m], of anybody in one step
+  // [m], of anybody in one step but the first, in which who is off the field is moved onto it.
+  float longestStride() const { return longest_stride_; }
 
   // personCount() places, depth 0 is now.
   const Place* at(int scenario, int depth) const {

@@ -115,10 +115,11 @@ PCN_INLINE Mask16 gather(const std::int32_t* table, const Mask16& indices) {
 #endif
 template <class Value>
 PCN_INLINE Value gather(const float* table, const typename MaskOf<Value>::Type& indices) {
-  const auto words = gather(reinterpret_cast<const std::int32_t*>(table), indices);
-  Value values;
-  __builtin_memcpy(&values, &words, sizeof(values));
-  return values;
+  int at[kLanesOf<Value>];
+  store(indices, at);
+  float values[kLanesOf<Value>];
+  for (int i = 0; i < kLanesOf<Value>; ++i) values[i] = table[at[i]];
+  return load<Value>(values);
 }
 
 // The smallest of all lanes.

@@ -26,7 +26,7 @@ struct RolloutBatch {
   alignas(64) Integers alive;          // -1 true, 0 false
   alignas(64) Integers origin;         // which roll-out of the caller's this is
 
-  void start(int at_depth) {
+  PCN_INLINE void start(int at_depth) {
     count = 0;
     depth = at_depth;
     discount = 1.0F;
@@ -150,8 +150,9 @@ PCN_INLINE void stepRollouts(const RolloutTable& table, bool is_alone, int first
 // Steps that robots this far from everybody can take before anybody is within reach, however all
 // of them walk.
 PCN_INLINE int stepsAlone(const RolloutTable& table, float nearest_sq) {
-  const float room = squareRoot(nearest_sq) - table.constants.reach;
-  const float closing = table.constants.longest_stride + table.futures.longestStride();
+  // A ten-thousandth for the rounding of every step on the way.
+  const float room = 0.9999F * squareRoot(nearest_sq) - table.constants.reach;
+  const float closing = 1.0001F * (table.constants.longest_stride + table.futures.longestStride());
   return room > 0.0F ? static_cast<int>(smaller(room / closing, 1e6F)) : 0;
 }
 
