@@ -13,39 +13,6 @@
 namespace pomdp_crowd_nav {
 namespace {
 
-// The rig's field and one crowd's futures.
-class Scene {
- public:
-  explicit Scene(UpperBoundKind upper_bound = UpperBoundKind::kTight)
-      : params_(rigPlannerParams(SearchRigParams())),
-        map_(rigMap()),
-        prior_(makePrior("fast_marching", map_, rigGoal(), params_.prior)),
-        field_(*prior_, map_, params_.prior.resolution) {
-    params_.model.upper_bound = upper_bound;
-    draw(6);
-  }
-
-  void draw(int people) {
-    const StraightLinePedestrian walker({params_.model.pedestrian_noise});
-    futures_.draw({100, params_.model.depth(), params_.model.step, map_.bounds()},
-                  rigSituation(people, 1).crowd.people, rigDestinations(), walker, NoiseStreams(1));
-  }
-
-  CrowdModel model(const LaneKernel& kernel) const {
-    return CrowdModel(params_.model, field_, futures_, kernel);
-  }
-  const StaticMap& map() const { return map_; }
-  const RolloutPrior& prior() const { return *prior_; }
-  const PlannerParams& params() const { return params_; }
-
- private:
-  PlannerParams params_;
-  StaticMap map_;
-  std::shared_ptr<const RolloutPrior> prior_;
-  NavigationField field_;
-  CrowdFutures futures_;
-};
-
 // Where a search looks: up to a dozen steps from the start, on the way to the goal.
 struct Visit {
   RobotState state;
@@ -67,8 +34,9 @@ std::vector<Visit> visits() {
 
 // Items are model steps.
 void expand(benchmark::State& state, const LaneKernel& kernel, int scenario_count) {
-  const Scene scene;
-  const CrowdModel model = scene.model(kernel);
+  SearchRig rig{SearchRigParams()};
+  rig.drawFutures(1);
+  const CrowdModel model = rig.model(kernel);
   const std::vector<Visit> where = visits();
   std::vector<int> scenarios(100);
   std::iota(scenarios.begin(), scenarios.end(), 0);
@@ -87,16 +55,19 @@ void expand(benchmark::State& state, const LaneKernel& kernel, int scenario_coun
 
 // Argument: people.
 void drawFutures(benchmark::State& state) {
-  Scene scene;
-  for (auto _ : state) scene.draw(static_cast<int>(state.range(0)));
+  SearchRigParams params;
+  params.pedestrians = static_cast<int>(state.range(0));
+  SearchRig rig(params);
+  for (auto _ : state) rig.drawFutures(1);
 }
 BENCHMARK(drawFutures)->Arg(6)->Arg(16)->Unit(benchmark::kMillisecond);
 
 // Argument: 0 the paper's, 1 the tight one.
 void upperBound(benchmark::State& state) {
-  PlannerParams params = rigPlannerParams(SearchRigParams());
-  params.model.upper_bound = state.range(0) == 0 ? UpperBoundKind::kPaper : UpperBoundKind::kTight;
-  const UpperBound bound(params.model, rigGoal());
+  SearchRig rig{SearchRigParams()};
+  ModelParams params = rig.params().model;
+  params.upper_bound = state.range(0) == 0 ? UpperBoundKind::kPaper : UpperBoundKind::kTight;
+  const UpperBound bound(params, rig.prior().goal());
   const std::vector<Visit> where = visits();
   size_t i = 0;
   for (auto _ : state) {
@@ -107,18 +78,15 @@ void upperBound(benchmark::State& state) {
 BENCHMARK(upperBound)->Arg(0)->Arg(1);
 
 void buildPrior(benchmark::State& state) {
-  const Scene scene;
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(
-        makePrior("fast_marching", scene.map(), rigGoal(), scene.params().prior));
-  }
+  const SearchRig rig{SearchRigParams()};
+  for (auto _ : state) benchmark::DoNotOptimize(rig.makeFieldPrior());
 }
 BENCHMARK(buildPrior)->Unit(benchmark::kMillisecond);
 
 void tabulatePrior(benchmark::State& state) {
-  const Scene scene;
+  const SearchRig rig{SearchRigParams()};
   for (auto _ : state) {
-    const NavigationField field(scene.prior(), scene.map(), scene.params().prior.resolution);
+    const NavigationField field(rig.prior(), rig.map(), rig.params().prior.resolution);
     benchmark::DoNotOptimize(field.directions());
   }
 }

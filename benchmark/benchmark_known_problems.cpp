@@ -17,7 +17,7 @@ namespace {
 
 struct Options {
   std::string problem = "rock_sample";
-  std::string defaults = "smart";
+  std::string defaults = "plain";
   int runs = 100;
   SearchParams search;
   EpisodeParams episode;

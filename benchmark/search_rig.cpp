@@ -4,15 +4,29 @@
 #include <cmath>
 #include <random>
 
-#include "pomdp_crowd_nav/planner/planner_factory.h"
-
 namespace pomdp_crowd_nav {
 namespace {
 
 const Bounds kField{{0.0, 0.0}, {100.0, 100.0}};
 const Point kStart(1.0, 25.0);
+const Point kGoal(100.0, 75.0);
+const std::vector<Point> kCorners{{0.0, 0.0}, {0.0, 100.0}, {100.0, 100.0}, {100.0, 0.0}};
 constexpr double kNearest = 3.0;    // [m]
 constexpr double kFarthest = 15.0;  // [m]
+
+PlannerParams plannerParams(const SearchRigParams& params) {
+  PlannerParams planner;
+  planner.pedestrians = params.pedestrians;
+  planner.model.horizon = params.depth * planner.model.step;
+  planner.model.bold_rollouts = params.bold_rollouts;
+  planner.model.bold_distance = 2.5;
+  planner.model.upper_bound = params.upper_bound;
+  planner.search.scenarios = params.scenarios;
+  planner.search.threads = params.threads;
+  planner.search.max_depth = planner.model.depth();
+  planner.search.discount = planner.model.discount();
+  return planner;
+}
 
 // Uniform over the part of the ring about the start that is on the field.
 Point placePerson(std::mt19937_64& random) {
@@ -29,39 +43,42 @@ Point placePerson(std::mt19937_64& random) {
 
 }  // namespace
 
-StaticMap rigMap() { return StaticMap(kField, {}); }
+SearchRig::SearchRig(const SearchRigParams& params)
+    : params_(plannerParams(params)),
+      map_(kField, {}),
+      prior_(makeFieldPrior()),
+      field_(*prior_, map_, params_.prior.resolution),
+      model_(params_.model, field_, futures_),
+      search_(params_.search) {}
 
-Point rigGoal() { return {100.0, 75.0}; }
-
-std::vector<Point> rigDestinations() {
-  return {{0.0, 0.0}, {0.0, 100.0}, {100.0, 100.0}, {100.0, 0.0}};
+SearchRig::Decision SearchRig::decide(std::uint64_t crowd, const SearchLimit& limit) {
+  const auto start = SearchLimit::Clock::now();
+  drawFutures(crowd);
+  const auto result = search_.run(model_, {RobotState::from({kStart, 0.0, 0.0})}, limit);
+  const std::chrono::duration<double> elapsed = SearchLimit::Clock::now() - start;
+  return {result.statistics, elapsed.count()};
 }
 
-PlannerParams rigPlannerParams(const SearchRigParams& params) {
-  PlannerParams planner;
-  planner.pedestrians = params.pedestrians;
-  planner.model.horizon = params.depth * planner.model.step;
-  planner.model.bold_rollouts = params.bold_rollouts;
-  planner.model.bold_distance = 2.5;
-  planner.model.upper_bound = params.upper_bound;
-  planner.search.scenarios = params.scenarios;
-  planner.search.threads = params.threads;
-  return planner;
-}
-
-std::unique_ptr<Planner> makeRigPlanner(const SearchRigParams& params) {
-  const StaticMap map = rigMap();
-  return makePlanner("2d_fmm", {map, rigGoal(), rigDestinations()}, rigPlannerParams(params));
-}
-
-Situation rigSituation(int pedestrians, std::uint64_t seed) {
-  std::mt19937_64 random(seed);
-  Situation situation;
-  situation.vehicle = {kStart, 0.0, 0.0};
-  for (int i = 0; i < pedestrians; ++i) {
-    situation.crowd.people.push_back({i, placePerson(random), {0.0, 0.0}, 1.0, IntentionBelief(4)});
+void SearchRig::drawFutures(std::uint64_t crowd) {
+  std::mt19937_64 random(crowd);
+  std::vector<PersonBelief> people;
+  for (int i = 0; i < params_.pedestrians; ++i) {
+    people.push_back({i, placePerson(random), {0.0, 0.0}, 1.0, IntentionBelief(kCorners.size())});
   }
-  return situation;
+  const StraightLinePedestrian walker({params_.model.pedestrian_noise * params_.model.step});
+  futures_.draw(
+      {params_.search.scenarios, params_.model.depth(), params_.model.step, map_.bounds()}, people,
+      kCorners, walker, NoiseStreams(crowd));
+}
+
+CrowdModel SearchRig::model(const LaneKernel& kernel) const {
+  return CrowdModel(params_.model, field_, futures_, kernel);
+}
+
+std::shared_ptr<const RolloutPrior> SearchRig::makeFieldPrior() const {
+  PriorParams prior = params_.prior;
+  prior.clearance = params_.model.obstacleClearance();
+  return makePrior("fast_marching", map_, kGoal, prior);
 }
 
 }  // namespace pomdp_crowd_nav
