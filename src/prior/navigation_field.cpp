@@ -47,12 +47,4 @@ NavigationField::NavigationField(const RolloutPrior& prior, const StaticMap& map
   }
 }
 
-NavigationCell NavigationField::at(float x, float y) const {
-  const auto cell = static_cast<size_t>(cellOf(x, y));
-  const auto direction = static_cast<std::uint32_t>(directions_[cell]);
-  return {static_cast<float>(static_cast<std::int16_t>(direction & 0xFFFFU)) * kPackedUnit,
-          static_cast<float>(static_cast<std::int16_t>(direction >> 16)) * kPackedUnit,
-          clearances_[cell], distances_[cell]};
-}
-
 }  // namespace pomdp_crowd_nav

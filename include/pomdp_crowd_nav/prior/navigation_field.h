@@ -40,7 +40,13 @@ class NavigationField {
     int columns = 1;
   };
 
-  NavigationCell at(float x, float y) const;
+  NavigationCell at(float x, float y) const {
+    const auto cell = static_cast<size_t>(cellOf(x, y));
+    const auto direction = static_cast<std::uint32_t>(directions_[cell]);
+    return {static_cast<float>(static_cast<std::int16_t>(direction & 0xFFFFU)) * kPackedUnit,
+            static_cast<float>(static_cast<std::int16_t>(direction >> 16)) * kPackedUnit,
+            clearances_[cell], distances_[cell]};
+  }
 
   int cellOf(float x, float y) const {
     return clamped((y - raster_.min_y) * raster_.cells_per_meter, raster_.last_row) *
