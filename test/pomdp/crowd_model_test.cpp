@@ -9,6 +9,7 @@
 #include <string>
 
 #include "crowd_scene.h"
+#include "pomdp_crowd_nav/prior/straight_line_prior.h"
 #include "reference_model.h"
 
 namespace pomdp_crowd_nav {
@@ -427,6 +428,29 @@ TEST(CrowdModel, FreeDriveValuesWhatLiesBeyondTheHorizon) {
     more += branch.lower[0] > plain.lower[0] + 1.0F ? 1 : 0;
   }
   EXPECT_GT(more, 250);
+}
+
+// Along a wall that comes closer by 0.25 mm a cell: who is in the margin may stay at its depth, and
+// nobody else may slip into it.
+TEST(CrowdModel, NobodyClearOfObstaclesSlipsIntoTheirMargin) {
+  StaticMap::Obstacles obstacles;
+  obstacles.polygons = {{{{0.0, 5.0}, {40.0, 5.04}}, false}};
+  const StaticMap map({{0.0, 0.0}, {40.0, 10.0}}, obstacles);
+  const NavigationField field(StraightLinePrior({39.0, 8.0}), map, 0.25);
+  const RobotLanes<float> robot{20.125F, 6.125F, 1.0F, 0.0F, 0.5F};
+  const FieldLanes<float> here = lookUp(field, robot.x, robot.y);
+  const float next = clearanceAt(field, 20.375F, 6.125F);
+  ASSERT_GT(here.clearance, next + 1e-4F);
+  ASSERT_LT(here.clearance, next + 4e-4F);
+  ModelParams params = rampedModel();
+  const auto hits = [&](double clearance) {
+    params.obstacle_distance = clearance - params.vehicle.radius;
+    const StepConstants constants(params, field);
+    return moveRobots<float>(constants, field, robot, here, 0.5F, 1.0F, 0.0F, false).hits_obstacle;
+  };
+  EXPECT_TRUE(hits(0.5 * (here.clearance + next)));
+  EXPECT_FALSE(hits(here.clearance + 1e-3)) << "it is in the margin already";
+  EXPECT_FALSE(hits(next - 1e-4)) << "neither of the cells is";
 }
 
 TEST(CrowdModel, RejectsParametersOutOfRange) {

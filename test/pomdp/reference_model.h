@@ -198,8 +198,9 @@ class ReferenceModel {
   // Who is inside the margin already may leave it.
   bool hitsObstacle(const Point& start, const Point& middle, const Point& end) {
     if (!field_.hasObstacles()) return false;
-    const double allowed =
-        std::min(p_.obstacleClearance(), static_cast<double>(cell(start).clearance) - 1e-3);
+    const double here = cell(start).clearance;
+    const double allowed = here > p_.obstacleClearance() ? p_.obstacleClearance() : here - 1e-3;
+    margin_ = std::min(margin_, std::abs(here - p_.obstacleClearance()));
     const bool half_way = cell(middle).clearance <= allowed;
     const bool at_end = cell(end).clearance <= allowed;
     margin_ = std::min(margin_, std::abs(cell(middle).clearance - allowed));

@@ -208,8 +208,10 @@ PCN_INLINE MoveLanes<Value> moveRobots(const StepConstants& c, const NavigationF
   move.field = lookUp(field, move.end.x, move.end.y);
   move.hits_obstacle = typename MaskOf<Value>::Type{};
   if (c.has_obstacles) {
-    // Moving out of the margin is allowed to who is in it already.
-    const Value margin = smaller(spread<Value>(c.obstacle_clearance), here.clearance - 1e-3F);
+    // Moving out of the margin is allowed to who is in it already, and to nobody else.
+    const Value obstacle_clearance = spread<Value>(c.obstacle_clearance);
+    const Value margin =
+        select(here.clearance > obstacle_clearance, obstacle_clearance, here.clearance - 1e-3F);
     const Value mid = clearanceAt(field, move.mid_x, move.mid_y);
     move.hits_obstacle = moves & ((mid <= margin) | (move.field.clearance <= margin));
   }
