@@ -28,8 +28,9 @@ ExtendedSpacePlanner::ExtendedSpacePlanner(const Task& task,
       destinations_(task.destinations),
       prior_(std::move(prior)),
       field_(*prior_, task.map, params.prior.resolution),
+      shortest_way_(makeShortestWay(params.model, field_, task.map)),
       pedestrian_model_({params.model.pedestrian_noise * params.model.step}),
-      model_(params.model, field_, futures_),
+      model_(params.model, {field_, shortest_way_ ? &*shortest_way_ : nullptr}, futures_),
       search_(searchParams(params)) {}
 
 Decision ExtendedSpacePlanner::decide(const Situation& situation, const SearchLimit& limit) {

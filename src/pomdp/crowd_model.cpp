@@ -19,14 +19,14 @@ float nearestSq(const CrowdFutures::Place* people, int count, float x, float y) 
 
 }  // namespace
 
-CrowdModel::CrowdModel(const ModelParams& params, const NavigationField& field,
-                       const CrowdFutures& futures, const LaneKernel& kernel)
+CrowdModel::CrowdModel(const ModelParams& params, const MapTables& map, const CrowdFutures& futures,
+                       const LaneKernel& kernel)
     : params_(params),
-      field_(field),
+      field_(map.field),
       futures_(futures),
       kernel_(kernel),
-      constants_(params, field),
-      upper_bound_(params, field.goal()) {
+      constants_(params, map.field),
+      upper_bound_(params, map.field.goal(), map.shortest_way) {
   validate(params);
 }
 
@@ -204,16 +204,7 @@ Branch CrowdModel::step(const RobotState& state, int scenario, int depth, const 
 // A free drive from here along the prior's path, speeding up as fast as possible.
 float CrowdModel::beyondHorizon(const RobotState& state) const {
   if (params_.beyond_horizon == BeyondHorizon::kNothing) return 0.0F;
-  const float along = field_.at(state.x, state.y).distance_to_goal;
-  const float dx = constants_.goal_x - state.x;
-  const float dy = constants_.goal_y - state.y;
-  const float straight = std::sqrt(dx * dx + dy * dy);
-  // The bound of a robot that has the path's length to go in a straight line.
-  RobotState stretched = state;
-  const float stretch = std::max(1.0F, along / std::max(straight, 1e-3F));
-  stretched.x = constants_.goal_x - dx * stretch;
-  stretched.y = constants_.goal_y - dy * stretch;
-  return std::min(upper_bound_.value(stretched), upper_bound_.value(state));
+  return upper_bound_.value(state, field_.at(state.x, state.y).distance_to_goal);
 }
 
 Action CrowdModel::defaultAction(const RobotState* state) const {

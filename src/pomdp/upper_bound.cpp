@@ -19,9 +19,11 @@ int stepsFor(float distance, float length) {
 
 }  // namespace
 
-UpperBound::UpperBound(const ModelParams& params, const Point& goal)
+UpperBound::UpperBound(const ModelParams& params, const Point& goal,
+                       const ShortestWay* shortest_way)
     : kind_(params.upper_bound),
       goal_(goal),
+      shortest_way_(shortest_way),
       goal_tolerance_(static_cast<float>(params.goal_tolerance)),
       max_speed_(static_cast<float>(params.vehicle.max_speed)),
       speed_step_(static_cast<float>(params.speedStep())),
@@ -41,16 +43,20 @@ UpperBound::UpperBound(const ModelParams& params, const Point& goal)
   }
 }
 
-float UpperBound::value(const RobotState& state) const {
+float UpperBound::value(const RobotState& state, float way_to_goal) const {
   const float dx = static_cast<float>(goal_.x()) - state.x;
   const float dy = static_cast<float>(goal_.y()) - state.y;
-  const float distance = std::sqrt(dx * dx + dy * dy) - goal_tolerance_;
-  if (kind_ == UpperBoundKind::kTight) return tightValue(state, distance);
-  return discounts_[stepsFor(distance, max_speed_ * step_)] * goal_reward_;
+  float distance = std::max(std::sqrt(dx * dx + dy * dy), way_to_goal) - goal_tolerance_;
+  if (kind_ == UpperBoundKind::kPaper) {
+    return discounts_[stepsFor(distance, max_speed_ * step_)] * goal_reward_;
+  }
+  if (shortest_way_ != nullptr) {
+    distance = std::max(distance, shortest_way_->lengthFrom(state.x, state.y));
+  }
+  return tightValue(state.speed, distance);
 }
 
-float UpperBound::tightValue(const RobotState& state, float distance) const {
-  float speed = state.speed;
+float UpperBound::tightValue(float speed, float distance) const {
   float value = 0.0F;
   float discount = 1.0F;
   while (distance > kRounding && speed < max_speed_ - 1e-4F) {
@@ -62,6 +68,15 @@ float UpperBound::tightValue(const RobotState& state, float distance) const {
   }
   value += discount * full_speed_[stepsFor(distance, max_speed_ * step_)];
   return std::max(value, 0.0F);
+}
+
+std::optional<ShortestWay> makeShortestWay(const ModelParams& params, const NavigationField& field,
+                                           const StaticMap& map) {
+  if (params.upper_bound != UpperBoundKind::kTight || !map.hasObstacles()) return std::nullopt;
+  // A step is tested half way and at its end, by the cells there, and either half covers at most
+  // half of the longest step (moveRobots). Who is clear of obstacles stays so or earns nothing.
+  const double stride = params.vehicle.max_speed * params.step;
+  return ShortestWay(field, map, {params.obstacleClearance(), stride, params.goal_tolerance});
 }
 
 }  // namespace pomdp_crowd_nav

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -42,6 +43,7 @@ struct CrowdSceneParams {
   int scenarios = 8;
   bool obstacles = false;
   std::uint64_t seed = 1;
+  bool walls = false;  // long ways round
 };
 
 // A field of 40 m by 30 m with a goal near its right border and people all over it. Not copyable:
@@ -53,8 +55,9 @@ class CrowdScene {
   CrowdScene(const ModelParams& model, const Params& params)
       : params_(params),
         model_(model),
-        map_({{0.0, 0.0}, {40.0, 30.0}}, obstacles(params.obstacles)),
-        field_(*prior(), map_, 0.25) {
+        map_({{0.0, 0.0}, {40.0, 30.0}}, obstacles(params)),
+        field_(*prior(), map_, 0.25),
+        shortest_way_(makeShortestWay(model, field_, map_)) {
     std::mt19937_64 random(params.seed);
     std::uniform_real_distribution<double> unit(0.0, 1.0);
     std::vector<PersonBelief> people;
@@ -76,6 +79,8 @@ class CrowdScene {
 
   const StaticMap& map() const { return map_; }
   const NavigationField& field() const { return field_; }
+  const ShortestWay* shortestWay() const { return shortest_way_ ? &*shortest_way_ : nullptr; }
+  MapTables tables() const { return {field_, shortestWay()}; }
   const CrowdFutures& futures() const { return futures_; }
   const ModelParams& model() const { return model_; }
 
@@ -90,10 +95,17 @@ class CrowdScene {
   }
 
  private:
-  static StaticMap::Obstacles obstacles(bool any) {
-    StaticMap::Obstacles obstacles;
-    if (any) obstacles.circles = {{{12.0, 15.0}, 2.0}, {{26.0, 10.0}, 3.0}, {{26.0, 23.0}, 2.0}};
-    return obstacles;
+  static StaticMap::Obstacles obstacles(const Params& params) {
+    StaticMap::Obstacles some;
+    if (params.obstacles) {
+      some.circles = {{{12.0, 15.0}, 2.0}, {{26.0, 10.0}, 3.0}, {{26.0, 23.0}, 2.0}};
+    }
+    if (params.walls) {
+      some.polygons = {{{{10.0, 0.0}, {13.0, 21.0}}, false},
+                       {{{23.0, 30.0}, {21.0, 12.0}, {24.0, 9.0}}, false},
+                       {{{31.0, 15.0}, {34.0, 15.0}, {34.0, 24.0}, {31.0, 24.0}}, true}};
+    }
+    return some;
   }
 
   std::shared_ptr<const RolloutPrior> prior() const {
@@ -107,6 +119,7 @@ class CrowdScene {
   ModelParams model_;
   StaticMap map_;
   NavigationField field_;
+  std::optional<ShortestWay> shortest_way_;
   CrowdFutures futures_;
 };
 

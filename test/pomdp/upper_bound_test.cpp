@@ -160,6 +160,168 @@ TEST_P(UpperBoundTest, TightIsAttainedOnAnOpenRoad) {
   }
 }
 
+// --- Among walls
+// ----------------------------------------------------------------------------------
+
+float straightWay(const CrowdScene& scene, const RobotState& state) {
+  const Point goal = scene.field().goal();
+  const double tolerance = scene.model().goal_tolerance;
+  return static_cast<float>((state.vehicle().position - goal).norm() - tolerance);
+}
+
+bool isClear(const CrowdScene& scene, const RobotState& state) {
+  return scene.field().at(state.x, state.y).clearance > scene.model().obstacleClearance();
+}
+
+// Room for roll-outs that arrive after a long detour.
+ModelParams farSighted(ModelParams model) {
+  model.horizon = std::max(model.horizon, 70.0);
+  return model;
+}
+
+TEST_P(UpperBoundTest, NoRollOutAroundWallsEarnsMore) {
+  const ModelParams model = farSighted(GetParam().model);
+  const CrowdScene scene(model, {0, 1, false, 6, true});
+  ASSERT_EQ(scene.shortestWay() != nullptr, model.upper_bound == UpperBoundKind::kTight);
+  const CrowdModel crowd_model(model, scene.tables(), scene.futures());
+  std::mt19937_64 random(1);
+  int detours = 0;
+  for (int i = 0; i < 30000; ++i) {
+    const RobotState state = scene.randomState(random);
+    const int scenario = 0;
+    double lower = 0.0;
+    double upper = 0.0;
+    crowd_model.rootBounds(&state, &scenario, 1, lower, upper);
+    ASSERT_LE(lower, upper + tolerance(static_cast<float>(upper))) << i;
+    if (scene.shortestWay() == nullptr || lower < 20.0) continue;
+    const float way = scene.shortestWay()->lengthFrom(state.x, state.y);
+    detours += way > straightWay(scene, state) + 4.0F ? 1 : 0;
+  }
+  if (scene.shortestWay() != nullptr) {
+    EXPECT_GT(detours, 2000) << "who arrived after one";
+  }
+}
+
+// What the tight bound takes for the length of a step.
+double lengthOf(const ModelParams& model, const RobotState& from, const RobotState& to) {
+  if (!model.vehicle.instant_velocity) return 0.5 * model.step * (from.speed + to.speed);
+  return std::hypot(to.x - from.x, to.y - from.y);
+}
+
+// Drives of legal steps that cut every corner the model allows: down the very table, now and then
+// in any direction.
+class CornerCutter {
+ public:
+  explicit CornerCutter(const CrowdScene& scene)
+      : scene_(scene), model_(scene.model(), scene.tables(), scene.futures()) {}
+
+  // Empty unless it arrives.
+  std::vector<RobotState> drive(RobotState state, std::mt19937_64& random) const {
+    std::vector<RobotState> states{state};
+    const unsigned one_in = 3 + random() % 60;
+    for (int k = 0; k < 150; ++k) {
+      const auto& actions = model_.legalActions(state);
+      RobotState next = state;
+      const Action any = actions[random() % actions.size()];
+      const Action action = random() % one_in == 0 ? any : best(state);
+      const Branch branch = model_.step(state, 0, 0, action, next);
+      if (branch.reward > 500.0F) return states;
+      if (branch.terminal) break;
+      states.push_back(next);
+      state = next;
+    }
+    return {};
+  }
+
+ private:
+  Action best(const RobotState& state) const {
+    Action best = model_.legalActions(state).front();
+    double least = 1e9;  // [m]
+    for (const Action& action : model_.legalActions(state)) {
+      RobotState next;
+      if (model_.step(state, 0, 0, action, next).terminal) continue;
+      RobotState ahead = next;  // of a base that goes on like this
+      const double reach = scene_.model().step * next.speed;
+      ahead.x += static_cast<float>(reach * next.direction_x);
+      ahead.y += static_cast<float>(reach * next.direction_y);
+      const double way =
+          isClear(scene_, ahead) ? scene_.shortestWay()->lengthFrom(ahead.x, ahead.y) : 1e6;
+      if (way >= least) continue;
+      least = way;
+      best = action;
+    }
+    return best;
+  }
+
+  const CrowdScene& scene_;
+  CrowdModel model_;
+};
+
+// Nobody gets to the goal in less than the table says, and nobody who is clear of the obstacles
+// gets into their margin on the way.
+TEST_P(UpperBoundTest, NoDriveAroundWallsIsShorterThanTheTable) {
+  ModelParams model = GetParam().model;
+  if (model.upper_bound != UpperBoundKind::kTight) return;
+  model.horizon = model.step;  // of roll-outs, which do not matter here
+  const CrowdScene scene(model, {0, 1, false, 6, true});
+  const CornerCutter cutter(scene);
+  std::mt19937_64 random(3);
+  int arrivals = 0;
+  double closest = 100.0;
+  for (int i = 0; i < 3000; ++i) {
+    const auto drive = cutter.drive(scene.randomState(random), random);
+    double way = 0.0;
+    for (size_t k = drive.size(); k-- > 0;) {
+      if (k + 1 < drive.size()) {
+        way += lengthOf(model, drive[k], drive[k + 1]);
+        ASSERT_TRUE(!isClear(scene, drive[k]) || isClear(scene, drive[k + 1]));
+      }
+      const float least = scene.shortestWay()->lengthFrom(drive[k].x, drive[k].y);
+      ASSERT_LE(least, way) << i << ", step " << k;
+      if (least > straightWay(scene, drive[k]) + 4.0F) closest = std::min(closest, way - least);
+    }
+    arrivals += drive.size() > 10 ? 1 : 0;
+  }
+  EXPECT_GT(arrivals, 1000);
+  EXPECT_LT(closest, 2.6) << "of all that went round a wall";
+}
+
+TEST(UpperBound, KnowsWallsGivenTheTable) {
+  for (const ModelParams& model : {paperModel(), rampedModel()}) {
+    const CrowdScene scene(model, {0, 1, false, 6, true});
+    const UpperBound blind(model, scene.field().goal());
+    const UpperBound seeing(model, scene.field().goal(), scene.shortestWay());
+    std::mt19937_64 random(5);
+    double drop = 0.0;
+    int behind = 0;
+    for (int i = 0; i < 20000; ++i) {
+      const RobotState state = scene.randomState(random);
+      ASSERT_LE(seeing.value(state), blind.value(state));
+      if (state.x > 9.0F || state.y > 9.0F || !isClear(scene, state)) continue;
+      drop += blind.value(state) - seeing.value(state);
+      ++behind;
+    }
+    EXPECT_GT(behind, 500);
+    EXPECT_GT(drop / behind, 80.0);
+  }
+}
+
+TEST(UpperBound, OfALongerWayIsThatOfARobotFartherAway) {
+  for (const UpperBoundKind kind : {UpperBoundKind::kPaper, UpperBoundKind::kTight}) {
+    const UpperBound bound(withBound(ModelParams(), kind), {10.0, 0.0});
+    EXPECT_EQ(bound.value(robotAt(3.5, 1.0), 12.5F), bound.value(robotAt(-2.5, 1.0)));
+    EXPECT_EQ(bound.value(robotAt(3.5, 1.0), 1.0F), bound.value(robotAt(3.5, 1.0)));
+  }
+}
+
+TEST(UpperBound, HasATableOnlyWhereItHelps) {
+  const CrowdScene open(paperModel(), {0, 1, false, 1});
+  EXPECT_EQ(open.shortestWay(), nullptr);
+  const CrowdScene paper(withBound(paperModel(), UpperBoundKind::kPaper), {0, 1, true, 1});
+  EXPECT_EQ(paper.shortestWay(), nullptr);
+  EXPECT_NE(CrowdScene(paperModel(), {0, 1, true, 1}).shortestWay(), nullptr);
+}
+
 INSTANTIATE_TEST_SUITE_P(EverySetting, UpperBoundTest, testing::ValuesIn(settings()),
                          [](const auto& test) { return test.param.name; });
 

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "pomdp_crowd_nav/despot/search.h"
 #include "pomdp_crowd_nav/planner/planner.h"
 #include "pomdp_crowd_nav/planner/planner_factory.h"
 #include "pomdp_crowd_nav/pomdp/crowd_model.h"
 #include "pomdp_crowd_nav/prior/navigation_field.h"
+#include "pomdp_crowd_nav/prior/shortest_way.h"
 
 namespace pomdp_crowd_nav {
 
@@ -32,6 +34,7 @@ class ExtendedSpacePlanner : public Planner {
   std::vector<Point> destinations_;
   std::shared_ptr<const RolloutPrior> prior_;
   NavigationField field_;
+  std::optional<ShortestWay> shortest_way_;
   StraightLinePedestrian pedestrian_model_;
   CrowdFutures futures_;
   CrowdModel model_;

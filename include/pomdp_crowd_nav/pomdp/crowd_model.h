@@ -10,10 +10,19 @@
 
 namespace pomdp_crowd_nav {
 
+// What a model knows of the map.
+struct MapTables {
+  MapTables(const NavigationField& some_field, const ShortestWay* some_shortest_way = nullptr)
+      : field(some_field), shortest_way(some_shortest_way) {}
+
+  const NavigationField& field;
+  const ShortestWay* shortest_way;  // for a tighter upper bound, or nullptr
+};
+
 // The navigation POMDP as a model for the DESPOT search: actions in vector lanes, people from the
 // table of futures, leaves valued by roll-outs along the prior.
 //
-// Refers to the field, the futures and the kernel, which must outlive it. Its expand is const and
+// Refers to the tables, the futures and the kernel, which must outlive it. Its expand is const and
 // thread-safe.
 class CrowdModel {
  public:
@@ -22,7 +31,7 @@ class CrowdModel {
   static constexpr bool kSharesState = true;  // the robot's state; people are in the futures
 
   // `kernel`: one of laneKernels(); all give the same values.
-  CrowdModel(const ModelParams& params, const NavigationField& field, const CrowdFutures& futures,
+  CrowdModel(const ModelParams& params, const MapTables& map, const CrowdFutures& futures,
              const LaneKernel& kernel = laneKernel());
 
   void expand(const RobotState* states, const int* scenarios, int count, int depth,
