@@ -9,8 +9,8 @@ BUILD_PACKAGES=(
   ros-message-generation ros-std-msgs ros-geometry-msgs
   libroscpp-dev libactionlib-dev libdiagnostic-updater-dev libmove-base-msgs-dev libnav-msgs-dev
   libtf2-ros-dev libvisualization-msgs-dev
-  libbenchmark-dev libcli11-dev libeigen3-dev libfmt-dev libopencv-dev libyaml-cpp-dev
-  nlohmann-json3-dev
+  libbenchmark-dev libcli11-dev libeigen3-dev libfmt-dev libompl-dev libopencv-dev
+  libyaml-cpp-dev nlohmann-json3-dev
   libgtest-dev librostest-dev python3-rostest)
 RUN_PACKAGES=(
   python3-roslaunch python3-rosparam python3-rosservice python3-rostopic rosbash rospack-tools
