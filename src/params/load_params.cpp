@@ -103,6 +103,10 @@ void readPlanning(ParamReader& reader, PlannerParams& planning) {
   reader.read("prior/resolution", planning.prior.resolution);
   reader.read("prior/extra_clearance", planning.prior.extra_clearance);
   reader.read("prior/blocked_speed", planning.prior.blocked_speed);
+  reader.read("prior/milestones", planning.prior.milestones);
+  reader.read("prior/neighbours", planning.prior.neighbours);
+  reader.read("prior/milestone_spacing", planning.prior.milestone_spacing);
+  reader.read("prior/seed", planning.prior.seed);
 }
 
 void readSafety(ParamReader& reader, NavigationParams& params) {

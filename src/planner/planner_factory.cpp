@@ -32,6 +32,10 @@ const Entry kPlanners[] = {
      [](const Task& task, const PlannerParams& params) {
        return makeExtendedSpace("fast_marching", task, params);
      }},
+    {"2d_prm",
+     [](const Task& task, const PlannerParams& params) {
+       return makeExtendedSpace("roadmap", task, params);
+     }},
     {"2d_straight",
      [](const Task& task, const PlannerParams& params) {
        return makeExtendedSpace("straight_line", task, params);

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "pomdp_crowd_nav/prior/fast_marching_prior.h"
+#include "pomdp_crowd_nav/prior/roadmap_prior.h"
 #include "pomdp_crowd_nav/prior/straight_line_prior.h"
 
 namespace pomdp_crowd_nav {
@@ -15,6 +16,10 @@ using PriorPtr = std::shared_ptr<const RolloutPrior>;
 
 PriorPtr makeFastMarching(const StaticMap& map, const Point& goal, const PriorParams& params) {
   return std::make_shared<FastMarchingPrior>(map, goal, params);
+}
+
+PriorPtr makeRoadmap(const StaticMap& map, const Point& goal, const PriorParams& params) {
+  return std::make_shared<RoadmapPrior>(map, goal, params);
 }
 
 PriorPtr makeStraightLine(const StaticMap&, const Point& goal, const PriorParams&) {
@@ -29,6 +34,7 @@ struct Entry {
 // A new prior is one more line here.
 constexpr Entry kPriors[] = {
     {"fast_marching", makeFastMarching},
+    {"roadmap", makeRoadmap},
     {"straight_line", makeStraightLine},
 };
 

@@ -125,7 +125,8 @@ reward: {goal: 901.0, pedestrian: -91.0, obstacle: -92.0, sudden_brake: -9.0, ti
          low_speed: -1.2}
 search: {scenarios: 61, regularization: 0.02, target_gap: 0.9, max_nodes: 12345,
          max_memory: 77.0, threads: 3}
-prior: {resolution: 0.3, extra_clearance: 0.31, blocked_speed: 0.02}
+prior: {resolution: 0.3, extra_clearance: 0.31, blocked_speed: 0.02, milestones: 501, neighbours: 7,
+        milestone_spacing: 1.1, seed: 13}
 belief: {update_period: 0.6, walking_speed: 1.3, speed_smoothing: 0.4}
 emergency: {enabled: false, decision_distance: 1.7, reflex_distance: 1.1, reaction_time: 0.25}
 command: {hold_time: 0.12, yaw_gain: 1.8}
@@ -182,6 +183,10 @@ uniform_respawn: true
   EXPECT_EQ(n.planning.prior.resolution, 0.3);
   EXPECT_EQ(n.planning.prior.extra_clearance, 0.31);
   EXPECT_EQ(n.planning.prior.blocked_speed, 0.02);
+  EXPECT_EQ(n.planning.prior.milestones, 501);
+  EXPECT_EQ(n.planning.prior.neighbours, 7);
+  EXPECT_EQ(n.planning.prior.milestone_spacing, 1.1);
+  EXPECT_EQ(n.planning.prior.seed, 13);
   EXPECT_EQ(n.belief.update_period, 0.6);
   EXPECT_EQ(n.belief.walking_speed, 1.3);
   EXPECT_EQ(n.belief.speed_smoothing, 0.4);
@@ -223,7 +228,8 @@ TEST(LoadParams, AValueOutOfRangeIsRefused) {
             "planner_frequency must be between 0.1 and 5 Hz, got -0.5");
   EXPECT_EQ(messageFor("planner_frequency: 6"),
             "planner_frequency must be between 0.1 and 5 Hz, got 6");
-  EXPECT_EQ(messageFor("planner: fmm"), "planner must be one of 2d_fmm, 2d_straight, got 'fmm'");
+  EXPECT_EQ(messageFor("planner: fmm"),
+            "planner must be one of 2d_fmm, 2d_prm, 2d_straight, got 'fmm'");
   EXPECT_EQ(messageFor("search_time: -0.5"), "search_time must be positive, got -0.5");
   EXPECT_EQ(messageFor("controller_frequency: -0.5"),
             "controller_frequency must be positive, got -0.5");

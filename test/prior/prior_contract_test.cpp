@@ -62,6 +62,7 @@ std::vector<Point> starts(const StaticMap& map, double clearance) {
 PriorParams testParams() {
   PriorParams params;
   params.clearance = 1.5;
+  params.milestone_spacing = 0.5;  // these maps are small
   return params;
 }
 
