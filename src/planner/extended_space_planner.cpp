@@ -133,7 +133,10 @@ std::vector<Point> ExtendedSpacePlanner::globalPath(const Point& from) const {
         field_.at(static_cast<float>(here.x()), static_cast<float>(here.y()));
     const Point direction(cell.direction_x, cell.direction_y);
     if (direction.isZero()) break;
-    path.push_back(here + kPathStep * direction);
+    Point next = here + kPathStep * direction;
+    // Directions are those of the cells' centres and may lead a little beyond the border.
+    if (bounds_.contains(here)) next = next.cwiseMax(bounds_.min).cwiseMin(bounds_.max);
+    path.push_back(next);
   }
   return path;
 }

@@ -220,6 +220,17 @@ TEST_P(PlannerContract, TheGlobalPathLeadsToTheGoal) {
   EXPECT_GE(planner->globalPath({36.0, 20.0}).size(), 1U);
 }
 
+TEST_P(PlannerContract, TheGlobalPathStaysOnTheFieldToAGoalOnTheBorder) {
+  const auto planner = make({40.0, 20.0});
+  for (double x = 39.01; x < 40.0; x += 0.07) {
+    for (const double y : {3.0, 28.0}) {
+      const std::vector<Point> path = planner->globalPath({x, y});
+      EXPECT_EQ(path.back(), Point(40.0, 20.0)) << "from " << x << ' ' << y;
+      for (const Point& place : path) ASSERT_TRUE(map_.bounds().contains(place));
+    }
+  }
+}
+
 TEST_P(PlannerContract, RefusesABadGoal) {
   EXPECT_THROW(make({41.0, 20.0}), std::invalid_argument);
   EXPECT_THROW(make({20.0, 4.5}), std::invalid_argument);
