@@ -19,7 +19,7 @@ LineOfSight::LineOfSight(StaticMap map, double clearance)
     : map_(std::move(map)), clearance_(std::max(clearance, kLeastStride)) {}
 
 // From `to`, so that a point farther along a clear way finds the same points clear.
-bool LineOfSight::isClear(const Point& from, const Point& to) const {
+bool LineOfSight::isClear(const Point& from, const Point& to, double least_rise) const {
   const double length = (from - to).norm();
   const Point direction = (from - to) / std::max(length, kRounding);
   const double at_from = map_.clearance(from);
@@ -27,7 +27,7 @@ bool LineOfSight::isClear(const Point& from, const Point& to) const {
   for (double way = 0.0; way < length;) {
     const double here = map_.clearance(to + way * direction);
     const double asked =
-        std::min({clearance_, at_to + kLeastRise * way, at_from + kLeastRise * (length - way)});
+        std::min({clearance_, at_to + least_rise * way, at_from + least_rise * (length - way)});
     if (here < asked - kRounding) return false;
     way += std::max(here - clearance_, kLeastStride);
   }

@@ -49,7 +49,7 @@ WayOut::WayOut(const LineOfSight& sight)
 bool WayOut::isBehindWall(const Point& place, const Point& from) const {
   const double clearance = sight_.map().clearance(from);
   if (clearance <= 0.0 || (place - from).norm() < sight_.clearance() + clearance) return false;
-  return !sight_.isClear(from, place);
+  return !sight_.isClear(from, place, 0.0);
 }
 
 std::optional<Point> WayOut::nearestFree(const Point& position) const {

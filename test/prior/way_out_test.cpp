@@ -42,6 +42,16 @@ TEST(WayOutTest, LeadsThroughNoWall) {
   EXPECT_TRUE(way_out.nearestFree({29.9, 13.4}));
 }
 
+// Where an obstacle touches the border, its clearance rises slowly along the way out.
+TEST(WayOutTest, LeadsOutOfAWedge) {
+  StaticMap::Obstacles obstacles;
+  obstacles.circles = {{{30.0, 20.0}, 20.0}};
+  const LineOfSight sight(mapWith(obstacles), 3.0);
+  const auto out = WayOut(sight).nearestFree({26.0, 0.1});
+  ASSERT_TRUE(out);
+  EXPECT_LT(out->x(), 20.0);
+}
+
 TEST(WayOutTest, KnowsNoneOnAMapWithoutFreePlaces) {
   StaticMap::Obstacles obstacles;
   obstacles.circles = {{{20.0, 15.0}, 30.0}};

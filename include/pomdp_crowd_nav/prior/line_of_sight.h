@@ -25,7 +25,8 @@ class LineOfSight {
     return map_.clearance(place) >= clearance_ - shortfall;
   }
 
-  bool isClear(const Point& from, const Point& to) const;
+  bool isClear(const Point& from, const Point& to) const { return isClear(from, to, kLeastRise); }
+  bool isClear(const Point& from, const Point& to, double least_rise) const;
 
   // What isClear says from every point of a disc that is free but for kShortfall: the same of each,
   // or not known.
