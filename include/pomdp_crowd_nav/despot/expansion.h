@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -66,6 +67,21 @@ void expandOneByOne(const Model& model, const typename Model::State* states, con
     }
   }
   out.model_steps = static_cast<long>(out.branches.size());
+}
+
+// The bounds of a root likewise: of each policy the mean over the scenarios, then the best policy.
+template <class Model>
+void boundOneByOne(const Model& model, const typename Model::State* states, const int* scenarios,
+                   int scenario_count, double& lower, double& upper) {
+  std::array<double, kDefaultPolicies> lowers{};
+  upper = 0.0;
+  for (int i = 0; i < scenario_count; ++i) {
+    Branch branch;
+    model.bound(states[Model::kSharesState ? 0 : i], scenarios[i], 0, branch);
+    for (int p = 0; p < kDefaultPolicies; ++p) lowers[p] += branch.lower[p] / scenario_count;
+    upper += static_cast<double>(branch.upper) / scenario_count;
+  }
+  lower = *std::max_element(lowers.begin(), lowers.end());
 }
 
 }  // namespace pomdp_crowd_nav

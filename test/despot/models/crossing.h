@@ -64,11 +64,9 @@ class Crossing {
               Expansion<Crossing>& out) const {
     expandOneByOne(*this, states, scenarios, count, depth, out);
   }
-  void rootBounds(const State* states, const int*, int, double& lower, double& upper) const {
-    Branch branch;
-    bound(states[0], 0, 0, branch);
-    lower = branch.lower[0];
-    upper = branch.upper;
+  void rootBounds(const State* states, const int* scenarios, int count, double& lower,
+                  double& upper) const {
+    boundOneByOne(*this, states, scenarios, count, lower, upper);
   }
   Action defaultAction(const State*) const { return kWait; }
 

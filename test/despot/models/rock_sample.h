@@ -98,15 +98,7 @@ class RockSample {
 
   void rootBounds(const State* states, const int* scenarios, int count, double& lower,
                   double& upper) const {
-    std::array<double, kDefaultPolicies> sums{};
-    upper = 0.0;
-    for (int i = 0; i < count; ++i) {
-      Branch branch;
-      bound(states[i], scenarios[i], 0, branch);
-      for (int p = 0; p < kDefaultPolicies; ++p) sums[p] += branch.lower[p] / count;
-      upper += static_cast<double>(branch.upper) / count;
-    }
-    lower = *std::max_element(sums.begin(), sums.end());
+    boundOneByOne(*this, states, scenarios, count, lower, upper);
   }
 
   Action defaultAction(const State* states) const {
