@@ -279,9 +279,9 @@ class LaunchTest(unittest.TestCase):
         return self.roslaunch("--dump-params", PACKAGE, "simulation.launch", *args)
 
     def test_world_of_ones_own(self):
-        params = self.params("world_file:=/tmp/my worlds/yard.yaml")
+        params = self.params("world_file:=/home/robot/my worlds/yard.yaml")
         for node in ("sim_node", "planner_node"):
-            self.assertIn(f"/{node}/world_file: /tmp/my worlds/yard.yaml", params)
+            self.assertIn(f"/{node}/world_file: /home/robot/my worlds/yard.yaml", params)
         self.assertIn("/sim_node/robot_radius: 0.3", params, "the profile street")
 
     def test_defaults(self):
