@@ -54,18 +54,62 @@ double turnToward(double heading, double desired, double max_chord) {
   return wrapAngle(heading + std::clamp(turn, -max_turn, max_turn));
 }
 
+Point PathLeg::displacement(double distance) const {
+  // The chord of an arc, which points half its turn away from where it begins.
+  const double half = length > 0.0 ? 0.5 * turn * distance / length : 0.0;
+  const double shortening = std::abs(half) < 1e-9 ? 1.0 : std::sin(half) / half;
+  return distance * shortening * unitVector(heading + half);
+}
+
+double PathLeg::headingAt(double distance) const {
+  return length > 0.0 ? wrapAngle(heading + turn * distance / length) : heading;
+}
+
+double StepMotion::distanceAt(double time) const {
+  if (instant) return time * end_velocity.norm();
+  const double ramp = std::clamp(time, 0.0, duration);
+  const double from = start_velocity.norm();
+  return ramp * from + 0.5 * ramp * ramp / duration * (end_velocity.norm() - from);
+}
+
 Point StepMotion::velocityAt(double time) const {
-  if (instant) return end_velocity;
-  const double share = std::clamp(time / duration, 0.0, 1.0);
-  return start_velocity + share * (end_velocity - start_velocity);
+  const double share = instant ? 1.0 : std::clamp(time / duration, 0.0, 1.0);
+  if (legs.empty()) return start_velocity + share * (end_velocity - start_velocity);
+  double length = 0.0;
+  for (const PathLeg& leg : legs) length += leg.length;
+  const bool has_ended = time < duration && distanceAt(time) >= length;
+  if (has_ended) return {0.0, 0.0};
+  const double from = start_velocity.norm();
+  return (from + share * (end_velocity.norm() - from)) * unitVector(headingAt(time));
 }
 
 Point StepMotion::positionAt(double time) const {
+  const double within = std::min(time, duration);
+  const Point beyond = std::max(0.0, time - duration) * end_velocity;
+  if (!legs.empty()) {
+    Point position = start;
+    double left = distanceAt(within);
+    for (const PathLeg& leg : legs) {
+      const double driven = std::min(left, leg.length);
+      position += leg.displacement(driven);
+      left -= driven;
+    }
+    return position + beyond;
+  }
   if (instant) return start + time * end_velocity;
-  const double ramp = std::clamp(time, 0.0, duration);
+  const double ramp = std::max(0.0, within);
   const Point ramped = start + ramp * start_velocity +
                        0.5 * ramp * ramp / duration * (end_velocity - start_velocity);
   return ramped + (time - ramp) * end_velocity;
+}
+
+double StepMotion::headingAt(double time) const {
+  double left = distanceAt(std::min(time, duration));
+  for (const PathLeg& leg : legs) {
+    if (left < leg.length) return leg.headingAt(left);
+    left -= leg.length;
+  }
+  return end_heading;
 }
 
 VehicleState StepMotion::end() const {

@@ -131,5 +131,49 @@ TEST(VehicleTest, HeadingIsKeptWhenTheBaseStops) {
   expectNear(end.position, 0.5 * std::cos(0.3), 0.5 * std::sin(0.3));
 }
 
+// A quarter of a circle of radius 2 m, then straight on for 3 m.
+StepMotion roundTheCorner() {
+  StepMotion motion;
+  motion.start = {1.0, 1.0};
+  motion.start_velocity = {2.0, 0.0};
+  motion.end_velocity = {0.0, 2.0};
+  motion.end_heading = M_PI / 2.0;
+  motion.duration = 4.0;
+  motion.legs = {{0.0, M_PI / 2.0, M_PI}, {M_PI / 2.0, 0.0, 3.0}};
+  return motion;
+}
+
+TEST(VehicleTest, LegsAreDrivenOneAfterTheOther) {
+  const StepMotion motion = roundTheCorner();
+  expectNear(motion.positionAt(0.0), 1.0, 1.0);
+  expectNear(motion.velocityAt(0.0), 2.0, 0.0);
+  const double eighth = M_PI / 4.0;
+  expectNear(motion.positionAt(eighth), 1.0 + 2.0 * std::sin(eighth), 3.0 - 2.0 * std::cos(eighth));
+  EXPECT_NEAR(motion.headingAt(eighth), eighth, 1e-12);
+  expectNear(motion.positionAt(M_PI / 2.0), 3.0, 3.0);
+  expectNear(motion.positionAt(M_PI / 2.0 + 1.0), 3.0, 5.0);
+  expectNear(motion.velocityAt(M_PI / 2.0 + 1.0), 0.0, 2.0);
+}
+
+TEST(VehicleTest, WhoHasDrivenAllLegsWaitsForTheEndOfTheStep) {
+  const StepMotion motion = roundTheCorner();
+  expectNear(motion.positionAt(3.9), 3.0, 6.0);
+  expectNear(motion.velocityAt(3.9), 0.0, 0.0);
+  expectNear(motion.end().position, 3.0, 6.0);
+  EXPECT_DOUBLE_EQ(motion.end().speed, 2.0);
+  expectNear(motion.positionAt(4.5), 3.0, 7.0);  // straight on after the step
+}
+
+TEST(VehicleTest, RampedBaseSpeedsUpAlongLegs) {
+  StepMotion motion = roundTheCorner();
+  motion.instant = false;
+  motion.start_velocity = {0.0, 0.0};
+  // 0.5 m/s^2: pi metres, the arc, after sqrt(4 pi) s.
+  const double arc_time = std::sqrt(4.0 * M_PI);
+  expectNear(motion.positionAt(arc_time), 3.0, 3.0);
+  EXPECT_NEAR(motion.velocityAt(arc_time).norm(), 0.5 * arc_time, 1e-12);
+  EXPECT_NEAR(motion.headingAt(0.5 * arc_time), M_PI / 8.0, 1e-12);  // a quarter of the way
+}
+
 }  // namespace
 }  // namespace pomdp_crowd_nav

@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
 #include "pomdp_crowd_nav/world/geometry.h"
 
 namespace pomdp_crowd_nav {
 
-// A holonomic base: `heading` is the direction of travel, which the body turns to follow.
+enum class VehicleKind {
+  kHolonomic,  // drives in any direction; the body turns to follow
+  kCar         // drives where it faces, on arcs (Dubins' car, NHV in the paper)
+};
+
+// `heading` is the direction of travel; that of a car's body too.
 struct VehicleState {
   Point position{0.0, 0.0};  // [m]
   double heading = 0.0;      // [rad]
@@ -17,6 +24,7 @@ struct VehicleState {
 // How the velocity of a base may change. The paper's base takes any velocity at once; a real one
 // needs time, so its velocity runs linearly from the old to the new value over a step.
 struct VehicleParams {
+  VehicleKind kind = VehicleKind::kHolonomic;
   double radius = 1.0;                // [m], paper's L
   double max_speed = 2.0;             // [m/s], v_max
   double acceleration = 1.0;          // [m/s^2], one speed step is acceleration * step
@@ -46,7 +54,18 @@ double maxTurnChord(const VehicleParams& params, double speed, double step);
 // Direction of travel after turning from `heading` toward `desired` as far as the chord allows.
 double turnToward(double heading, double desired, double max_chord);
 
-// A velocity that runs from one value to another over a step.
+// A piece of a path with one curvature.
+struct PathLeg {
+  double heading = 0.0;  // [rad], of travel at its beginning
+  double turn = 0.0;     // [rad], change of heading over its length
+  double length = 0.0;   // [m]
+
+  // From its beginning to `distance` [m] along it.
+  Point displacement(double distance) const;
+  double headingAt(double distance) const;
+};
+
+// A velocity that runs from one value to another over a step, straight or along legs.
 struct StepMotion {
   Point start{0.0, 0.0};           // [m]
   Point start_velocity{0.0, 0.0};  // [m/s]
@@ -54,10 +73,17 @@ struct StepMotion {
   double end_heading = 0.0;        // [rad], of travel; kept when the base stops
   double duration = 1.0;           // [s]
   bool instant = true;             // velocity is end_velocity from the start
+  // The way that is driven, if it is not straight: at the speeds of the two velocities, to its end
+  // at most within the step, and straight on after the step.
+  std::vector<PathLeg> legs;
 
   Point velocityAt(double time) const;
   Point positionAt(double time) const;
+  double headingAt(double time) const;  // [rad], of travel; end_heading where there are no legs
   VehicleState end() const;
+
+ private:
+  double distanceAt(double time) const;  // [m] along the legs
 };
 
 // Motion of a base that ends the step at `speed` in direction `heading`; the turn is clamped to
