@@ -60,11 +60,18 @@ BaseCommand CommandGenerator::commandAt(double now, double yaw, const Point& vel
     const double slowed = speedAfterBrake(vehicle_, from.norm(), period);
     target = slowed > kRestSpeed ? Point(from.normalized() * slowed) : Point(0.0, 0.0);
   } else {
-    // The velocity to have when the next command comes: a ramp is followed without lag.
-    target = finiteOrZero(motion_->velocityAt(now - start_time_ + period));
+    target = finiteOrZero(wantedVelocity(now - start_time_, period));
     if (target.norm() > kRestSpeed) desired_yaw = std::atan2(target.y(), target.x());
   }
   return limited(target, yaw, desired_yaw, period);
+}
+
+// A ramp is followed without lag by the velocity to have when the next command comes, a bent way
+// without drift by the mean velocity until then.
+Point CommandGenerator::wantedVelocity(double time, double period) const {
+  const bool bends = motion_->instant && !motion_->legs.empty() && period > 0.0;
+  if (!bends) return motion_->velocityAt(time + period);
+  return (motion_->positionAt(time + period) - motion_->positionAt(time)) / period;
 }
 
 BaseCommand CommandGenerator::limited(const Point& velocity, double yaw, double desired_yaw,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "pomdp_crowd_nav/evaluation/reachability.h"
@@ -38,6 +39,8 @@ class Trip {
       if (observer) observer({simulator_.time(), decision, simulator_});
       commands_.follow(decision.motion, simulator_.time());
       travel_heading_ = decision.motion.end_heading;
+      motion_ = decision.motion;
+      motion_start_ = simulator_.time();
       drive(model_.step);
     }
     result_.metrics = recorder_.metrics();
@@ -82,10 +85,21 @@ class Trip {
   }
 
   VehicleState vehicle() const {
+    const bool bends = motion_ && !motion_->legs.empty();
+    if (bends && !commands_.isStopping(simulator_.time())) return onBentWay();
     const Point& velocity = simulator_.base().velocity();
     const double speed = velocity.norm();
     const double heading = speed > 1e-3 ? std::atan2(velocity.y(), velocity.x()) : travel_heading_;
     return {simulator_.base().pose().position, heading, speed > 1e-3 ? speed : 0.0};
+  }
+
+  // On a bent way the velocity is a mean over a tick.
+  VehicleState onBentWay() const {
+    constexpr double kRounding = 1e-9;  // [s]
+    const double time = simulator_.time() - motion_start_;
+    const double within = time > motion_->duration - kRounding ? motion_->duration : time;
+    return {simulator_.base().pose().position, motion_->headingAt(within),
+            motion_->velocityAt(within).norm()};
   }
 
   Decision decide() {
@@ -162,6 +176,8 @@ class Trip {
   std::unique_ptr<Planner> planner_;
   TrackList tracks_;
   double travel_heading_;
+  std::optional<StepMotion> motion_;  // of the last decision
+  double motion_start_ = 0.0;         // [s]
   EpisodeResult result_;
 };
 

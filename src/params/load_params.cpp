@@ -78,6 +78,7 @@ void readModel(ParamReader& reader, ModelParams& model) {
   reader.read("model/discount", model.discount_per_second);
   reader.read("model/pedestrian_distance", model.pedestrian_distance);
   reader.read("model/obstacle_distance", model.obstacle_distance);
+  reader.read("model/collision_checks", model.collision_checks);
   reader.read("model/near_distance", model.near_distance);
   reader.read("model/far_distance", model.far_distance);
   reader.read("model/bold_rollouts", model.bold_rollouts);

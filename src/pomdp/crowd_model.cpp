@@ -147,44 +147,56 @@ float CrowdModel::rollOutOne(const RobotState& state, const FieldLanes<float>& h
       constants_.rules[policy], 0, batch);
   float value = 0.0F;
   long steps = 0;
-  rollOut<float>({constants_, field_, futures_, scenario}, batch, &value, steps);
+  const RolloutTable table{constants_, field_, futures_, scenario};
+  constants_.testsHalfWayOnly() ? rollOut<float, kHalfWay>(table, batch, &value, steps)
+                                : rollOut<float, kMaxVias>(table, batch, &value, steps);
   if (batch.count == 0) return value;
   return value +
          batch.discount * beyondHorizon({batch.x[0], batch.y[0], 1.0F, 0.0F, batch.speed[0]});
 }
 
-MoveLanes<float> CrowdModel::moveOne(const RobotState& state, const Action& action) const {
+template <int kVias>
+MoveLanes<float, kVias> CrowdModel::moveOne(const RobotState& state, const Action& action) const {
   const RobotLanes<float> robot{state.x, state.y, state.direction_x, state.direction_y,
                                 state.speed};
   const FieldLanes<float> here = lookUp(field_, state.x, state.y);
   const bool follows = action.heading == Action::Heading::kFollowPrior;
   const float cosine = std::cos(action.turn);
   const float sine = std::sin(action.turn);
-  return moveRobots<float>(
+  return moveRobots<float, kVias>(
       constants_, field_, robot, here, speedAfter(state, action),
       follows ? here.direction_x : state.direction_x * cosine - state.direction_y * sine,
       follows ? here.direction_y : state.direction_x * sine + state.direction_y * cosine, follows);
 }
 
 RobotState CrowdModel::move(const RobotState& state, const Action& action) const {
-  const RobotLanes<float> end = moveOne(state, action).end;
+  const RobotLanes<float> end = constants_.testsHalfWayOnly()
+                                    ? moveOne<kHalfWay>(state, action).end
+                                    : moveOne<kMaxVias>(state, action).end;
   return {end.x, end.y, end.direction_x, end.direction_y, end.speed};
 }
 
 Branch CrowdModel::step(const RobotState& state, int scenario, int depth, const Action& action,
                         RobotState& next) const {
+  return constants_.testsHalfWayOnly() ? stepBy<kHalfWay>(state, scenario, depth, action, next)
+                                       : stepBy<kMaxVias>(state, scenario, depth, action, next);
+}
+
+template <int kVias>
+Branch CrowdModel::stepBy(const RobotState& state, int scenario, int depth, const Action& action,
+                          RobotState& next) const {
   const StepConstants& c = constants_;
-  const MoveLanes<float> move = moveOne(state, action);
+  const MoveLanes<float, kVias> move = moveOne<kVias>(state, action);
   const RobotLanes<float> robot{state.x, state.y, state.direction_x, state.direction_y,
                                 state.speed};
-  float mid_sq = kFarAwaySq;
+  float via_sq = kFarAwaySq;
   float end_sq = kFarAwaySq;
-  meetPeople(move, futures_.at(scenario, depth), futures_.at(scenario, depth + 1),
-             futures_.personCount(), mid_sq, end_sq);
+  meetPeople(c, move, futures_.at(scenario, depth), futures_.at(scenario, depth + 1),
+             futures_.personCount(), via_sq, end_sq);
   const float start_sq =
       nearestSq(futures_.at(scenario, depth), futures_.personCount(), state.x, state.y);
   bool collides = false;
-  const float penalty = collisionPenalty(c, robot, move, start_sq, mid_sq, end_sq, collides);
+  const float penalty = collisionPenalty(c, robot, move, start_sq, via_sq, end_sq, collides);
   const bool arrived = goalDistanceSq(c, robot.x, robot.y) <= c.goal_tolerance_sq;
   next = {move.end.x, move.end.y, move.end.direction_x, move.end.direction_y, move.end.speed};
 

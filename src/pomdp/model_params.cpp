@@ -31,6 +31,8 @@ void validate(const ModelParams& p) {
   require(p.goal_tolerance > 0.0, "xy_goal_tolerance", "positive", p.goal_tolerance);
   require(p.pedestrian_distance >= 0.0, "pedestrian_distance", "at least 0", p.pedestrian_distance);
   require(p.obstacle_distance >= 0.0, "obstacle_distance", "at least 0", p.obstacle_distance);
+  require(p.collision_checks >= 2 && p.collision_checks <= kMaxCollisionChecks, "collision_checks",
+          "between 2 and 10", p.collision_checks);
   require(p.near_distance >= 0.0, "near_distance", "at least 0", p.near_distance);
   require(p.far_distance >= p.near_distance, "far_distance", "at least near_distance",
           p.far_distance);

@@ -18,11 +18,17 @@ StepConstants::StepConstants(const ModelParams& p, const NavigationField& field)
   speed_step = static_cast<float>(p.speedStep());
   brake_step = instant ? 1e9F : static_cast<float>(v.brake_deceleration * p.step);
   turn_speed = instant ? 1e9F : static_cast<float>(v.lateral_acceleration * p.step);
-  // A velocity that runs linearly from old to new covers (3 old + new) / 8 of a step by the middle.
   end_old = instant ? 0.0F : 0.5F * step;
   end_new = instant ? step : 0.5F * step;
-  mid_old = instant ? 0.0F : 0.375F * step;
-  mid_new = instant ? 0.5F * step : 0.125F * step;
+  vias = p.collision_checks - 1;
+  for (int k = 0; k < kMaxVias; ++k) {
+    // Of a velocity that runs linearly from old to new: (3 old + new) / 8 of a step by its middle.
+    const double s = std::min(1.0, (k + 1.0) / p.collision_checks);
+    const auto ramp = static_cast<float>(0.5 * s * s);
+    share[k] = static_cast<float>(s);
+    via_old[k] = instant ? 0.0F : (share[k] - ramp) * step;
+    via_new[k] = instant ? share[k] * step : ramp * step;
+  }
   goal_x = static_cast<float>(field.goal().x());
   goal_y = static_cast<float>(field.goal().y());
   goal_tolerance_sq = square(p.goal_tolerance);

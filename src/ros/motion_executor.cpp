@@ -50,7 +50,7 @@ VehicleState MotionExecutor::predict(const RobotReading& reading, double time) c
   }
   const double until = std::min(time, motion->end(params_.hold_time));
   state.position += motion->displacementAt(until) - motion->displacementAt(reading.measured_at);
-  state.heading = motion->path.end_heading;
+  state.heading = motion->path.headingAt(std::max(0.0, until - motion->start));
   state.speed = motion->path.velocityAt(until - motion->start).norm();
   if (state.speed <= kRestSpeed) state.speed = 0.0;
   return braked(state, time - until);

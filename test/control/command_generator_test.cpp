@@ -8,6 +8,8 @@
 #include <random>
 #include <stdexcept>
 
+#include "pomdp_crowd_nav/sim/base.h"
+
 namespace pomdp_crowd_nav {
 namespace {
 
@@ -75,6 +77,28 @@ TEST(CommandGenerator, FollowsARampWithoutLag) {
     const double now = 10.0 + i * kPeriod;
     const BaseCommand command = generator.commandAt(now, 0.0, {0.0, 0.0});
     EXPECT_NEAR(command.velocity.x(), 0.4 + 0.05 * (i + 1), 1e-9) << i;
+  }
+}
+
+// A base that takes each command at once ends where the way ends, round corners and bends.
+TEST(CommandGenerator, FollowsABentWayToItsEnd) {
+  VehicleParams vehicle;
+  vehicle.max_speed = 4.0;
+  StepMotion motion;
+  motion.start = {1.0, 2.0};
+  motion.start_velocity = {2.0, 0.0};
+  motion.end_velocity = 3.0 * unitVector(2.0);
+  motion.end_heading = 2.0;
+  motion.legs = {{0.0, 0.0, 0.77}, {0.8, 0.0, 1.0}, {1.2, 0.8, 1.23}};
+  CommandGenerator generator({}, vehicle);
+  generator.commandAt(10.0 - 0.1, 0.0, {0.0, 0.0});
+  generator.follow(motion, 10.0);
+  SimulatedBase base(vehicle, {motion.start, 0.0});
+  for (int i = 0; i < 10; ++i) {
+    const double now = 10.0 + 0.1 * i;
+    base.follow(generator.commandAt(now, base.pose().heading, base.velocity()), 0.1);
+    const Point expected = motion.positionAt(0.1 * (i + 1));
+    EXPECT_NEAR((base.pose().position - expected).norm(), 0.0, 1e-9) << i;
   }
 }
 

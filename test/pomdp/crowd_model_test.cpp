@@ -31,7 +31,13 @@ std::vector<Setting> settings() {
   far_sighted.beyond_horizon = BeyondHorizon::kFreeDrive;
   ModelParams paper_bound = paperModel();
   paper_bound.upper_bound = UpperBoundKind::kPaper;
-  return {{"paper", paperModel()},
+  ModelParams five_checks = paperModel();
+  five_checks.collision_checks = 5;
+  ModelParams ramped_three_checks = rampedModel();
+  ramped_three_checks.collision_checks = 3;
+  return {{"paper_five_checks", five_checks, true},
+          {"ramped_three_checks", ramped_three_checks, true, 20},
+          {"paper", paperModel()},
           {"paper_obstacles", paperModel(), true},
           {"paper_one_policy", timid, true},
           {"paper_bound", paper_bound, true},
@@ -337,6 +343,23 @@ TEST_F(RewardTest, PeopleAreMetAtTheStartHalfWayAndAtTheEnd) {
   EXPECT_FALSE(collides({11.0, 6.05})) << "2.05 m abeam half way";
   EXPECT_TRUE(collides({13.95, 4.0})) << "1.95 m ahead at the end";
   EXPECT_FALSE(collides({14.05, 4.0})) << "2.05 m ahead at the end";
+}
+
+// Driving 2 m east from (10, 4) past somebody who stands 1.99 m abeam of a fifth of the way.
+TEST_F(RewardTest, MoreTestsOfAStepMeetMorePeople) {
+  ModelParams params = exactModel();
+  const Point person(10.4, 5.99);
+  scene_.draw({{1, person, {0.0, 0.0}, 0.0, IntentionBelief(4)}});
+  const auto collides = [&](int checks) {
+    params.collision_checks = checks;
+    const CrowdModel model(params, scene_.field(), scene_.futures());
+    RobotState next;
+    return model.step(RobotState::from({{10.0, 4.0}, 0.0, 2.0}), 0, 0, Action::turnBy(0.0, 0), next)
+        .terminal;
+  };
+  EXPECT_FALSE(collides(2));
+  EXPECT_FALSE(collides(3));
+  EXPECT_TRUE(collides(5));
 }
 
 TEST_F(RewardTest, WalkersAreMetWhereTheyWillBe) {

@@ -61,6 +61,10 @@ TEST(ModelParams, NamesTheFieldThatIsOutOfRange) {
             "pedestrian_distance must be at least 0, got -0.1");
   EXPECT_EQ(messageFor([](ModelParams& p) { p.obstacle_distance = -0.1; }),
             "obstacle_distance must be at least 0, got -0.1");
+  EXPECT_EQ(messageFor([](ModelParams& p) { p.collision_checks = 1; }),
+            "collision_checks must be between 2 and 10, got 1");
+  EXPECT_EQ(messageFor([](ModelParams& p) { p.collision_checks = 11; }),
+            "collision_checks must be between 2 and 10, got 11");
   EXPECT_EQ(messageFor([](ModelParams& p) { p.near_distance = -0.1; }),
             "near_distance must be at least 0, got -0.1");
   EXPECT_EQ(messageFor([](ModelParams& p) { p.far_distance = 3.5; }),

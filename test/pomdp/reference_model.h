@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "pomdp_crowd_nav/pomdp/crowd_model.h"
 
@@ -136,18 +137,19 @@ class ReferenceModel {
       return t * old_velocity + 0.5 * t * t / p_.step * (new_velocity - old_velocity);
     };
     const Point to_goal = field_.goal() - robot.position;
-    Point half_way = moved(0.5 * p_.step);
-    Point whole_way = moved(p_.step);
+    const Point whole_way = moved(p_.step);
     const bool passes = atMost(to_goal.norm(), whole_way.norm());
     const bool ahead = p_.vehicle.instant_velocity ||
                        atMost(0.95 * whole_way.norm() * to_goal.norm(), whole_way.dot(to_goal));
-    if (stops_at_goal && passes && ahead) {
-      half_way = 0.5 * to_goal;
-      whole_way = to_goal;
+    const bool stops = stops_at_goal && passes && ahead;
+    // Where the robot is tested, the last at the end of the step.
+    std::vector<Point> places;
+    for (int k = 1; k <= p_.collision_checks; ++k) {
+      const double share = static_cast<double>(k) / p_.collision_checks;
+      places.push_back(robot.position + (stops ? Point(share * to_goal) : moved(share * p_.step)));
     }
-    const bool moves = whole_way.norm() > 0.0;
-    const Point middle = robot.position + half_way;
-    const Point end = robot.position + whole_way;
+    const Point end = places.back();
+    const bool moves = (end - robot.position).norm() > 0.0;
 
     Result result;
     result.next = {end, heading, new_speed};
@@ -155,8 +157,8 @@ class ReferenceModel {
         p_.step * (p_.reward.time + p_.reward.low_speed * (p_.vehicle.max_speed - robot.speed) /
                                         p_.vehicle.max_speed);
     const bool leaves = moves && !isInside(end);
-    const bool meets = meetsSomebody(moment, middle, end, new_speed);
-    const bool hits = moves && hitsObstacle(robot.position, middle, end);
+    const bool meets = meetsSomebody(moment, places, new_speed);
+    const bool hits = moves && hitsObstacle(robot.position, places);
     result.terminal = true;
     if (atMost(to_goal.norm(), p_.goal_tolerance)) {
       result.reward += p_.reward.goal;
@@ -182,30 +184,35 @@ class ReferenceModel {
     return left && right && below && above;
   }
 
-  bool meetsSomebody(const Moment& moment, const Point& middle, const Point& end,
-                     double new_speed) {
+  bool meetsSomebody(const Moment& moment, const std::vector<Point>& places, double new_speed) {
     const double clearance = p_.pedestrianClearance();
     const bool moved = isMoving(moment.robot.speed);
     const bool moves_on = isMoving(new_speed);
     const bool at_start = atMost(nearest(moment.robot.position, moment, 0.0), clearance);
-    const bool half_way = atMost(nearest(middle, moment, 0.5), clearance);
-    const bool at_end = atMost(nearest(end, moment, 1.0), clearance);
+    bool on_the_way = false;
+    bool at_end = false;
+    for (size_t k = 0; k < places.size(); ++k) {
+      const double share = (k + 1.0) / static_cast<double>(places.size());
+      const bool meets = atMost(nearest(places[k], moment, share), clearance);
+      (k + 1 < places.size() ? on_the_way : at_end) |= meets;
+    }
     const bool brakes = moved && !p_.vehicle.instant_velocity;  // moves until it rests
-    return ((moved || moves_on) && at_start) || (moves_on && (half_way || at_end)) ||
-           (brakes && half_way);
+    return ((moved || moves_on) && at_start) || (moves_on && (on_the_way || at_end)) ||
+           (brakes && on_the_way);
   }
 
   // Who is inside the margin already may leave it.
-  bool hitsObstacle(const Point& start, const Point& middle, const Point& end) {
+  bool hitsObstacle(const Point& start, const std::vector<Point>& places) {
     if (!field_.hasObstacles()) return false;
     const double here = cell(start).clearance;
     const double allowed = here > p_.obstacleClearance() ? p_.obstacleClearance() : here - 1e-3;
     margin_ = std::min(margin_, std::abs(here - p_.obstacleClearance()));
-    const bool half_way = cell(middle).clearance <= allowed;
-    const bool at_end = cell(end).clearance <= allowed;
-    margin_ = std::min(margin_, std::abs(cell(middle).clearance - allowed));
-    margin_ = std::min(margin_, std::abs(cell(end).clearance - allowed));
-    return half_way || at_end;
+    bool hits = false;
+    for (const Point& place : places) {
+      hits |= cell(place).clearance <= allowed;
+      margin_ = std::min(margin_, std::abs(cell(place).clearance - allowed));
+    }
+    return hits;
   }
 
   double rollOut(Moment moment, int policy, long& steps) {

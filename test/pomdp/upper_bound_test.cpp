@@ -80,6 +80,9 @@ std::vector<Setting> settings() {
     ModelParams free_drive = rampedModel();
     free_drive.beyond_horizon = BeyondHorizon::kFreeDrive;
     all.push_back({"free_drive" + suffix, withBound(free_drive, kind)});
+    ModelParams five_checks = paperModel();
+    five_checks.collision_checks = 5;
+    all.push_back({"five_checks" + suffix, withBound(five_checks, kind)});
   }
   return all;
 }

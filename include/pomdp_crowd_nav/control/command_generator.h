@@ -32,6 +32,7 @@ class CommandGenerator {
   BaseCommand commandAt(double now, double yaw, const Point& velocity);
 
  private:
+  Point wantedVelocity(double time, double period) const;
   BaseCommand limited(const Point& velocity, double yaw, double desired_yaw, double period);
 
   Params params_;

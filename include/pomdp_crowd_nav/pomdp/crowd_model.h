@@ -61,7 +61,11 @@ class CrowdModel {
   const ActionSet& actionSet(const RobotState& state) const;
   void prepareMoves(const RobotState& state, const ActionSet& set, ActionMoves& moves) const;
   void addBeyondHorizon(ScenarioOutcome& outcome) const;
-  MoveLanes<float> moveOne(const RobotState& state, const Action& action) const;
+  template <int kVias>
+  MoveLanes<float, kVias> moveOne(const RobotState& state, const Action& action) const;
+  template <int kVias>
+  Branch stepBy(const RobotState& state, int scenario, int depth, const Action& action,
+                RobotState& next) const;
   float rollOutOne(const RobotState& state, const FieldLanes<float>& here, float start_sq,
                    int scenario, int depth, int policy) const;
   float beyondHorizon(const RobotState& state) const;

@@ -24,7 +24,7 @@ struct ActionMoves {
 
   // Filled in by LaneKernel::move.
   alignas(64) ActionFloats end_x, end_y, end_direction_x, end_direction_y;
-  alignas(64) ActionFloats mid_x, mid_y;
+  alignas(64) ActionFloats via_x[kMaxVias], via_y[kMaxVias];  // where it is tested on the way
   alignas(64) ActionFloats field_direction_x, field_direction_y, field_clearance;  // at the end
   alignas(64) ActionFlags ends_outside, hits_obstacle;
 };

@@ -5,6 +5,9 @@
 
 namespace pomdp_crowd_nav {
 
+// Most tests of a step, see ModelParams::collision_checks.
+constexpr int kMaxCollisionChecks = 10;
+
 // The paper's reward model (section Reward Modeling); costs are negative.
 struct RewardParams {
   double goal = 1000.0;         // R_goal, once, in the step after arrival
@@ -36,8 +39,11 @@ struct ModelParams {
   double goal_tolerance = 1.0;        // [m], D_g
   double pedestrian_distance = 1.0;   // [m], D_ped; the robot's radius comes on top
   double obstacle_distance = 2.0;     // [m], D_obs; the robot's radius comes on top
-  double near_distance = 4.0;         // [m], D_near: roll-outs slow down closer than this
-  double far_distance = 6.0;          // [m], D_far: roll-outs speed up beyond this
+  // Moments of a step, evenly spread and the last at its end, at which the distances to people and
+  // obstacles are tested; 2 as for the paper's holonomic robot, 5 as for its car.
+  int collision_checks = 2;
+  double near_distance = 4.0;  // [m], D_near: roll-outs slow down closer than this
+  double far_distance = 6.0;   // [m], D_far: roll-outs speed up beyond this
   // [m], both distances of a second, bolder roll-out policy; 0: never slows down
   double bold_distance = 0.0;
   bool bold_rollouts = true;      // value leaves by the better of the two policies

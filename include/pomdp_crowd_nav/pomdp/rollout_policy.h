@@ -54,64 +54,67 @@ struct RolloutTable {
 constexpr float kFarAwaySq = std::numeric_limits<float>::max();
 
 // Where one step takes the roll-outs of a register, and what it brings.
-template <class Value>
+template <class Value, int kVias>
 struct StepLanes {
-  MoveLanes<Value> move;
+  MoveLanes<Value, kVias> move;
   Value nearest_sq;  // [m^2] at the end of the step
   Value reward;      // of the step's end; what it costs to start is left out
   typename MaskOf<Value>::Type collides;
 };
 
-template <class Value>
-PCN_INLINE MoveLanes<Value> followPrior(const RolloutTable& table, const RobotLanes<Value>& robot,
-                                        const FieldLanes<Value>& here, const Value& speed) {
+template <class Value, int kVias>
+PCN_INLINE MoveLanes<Value, kVias> followPrior(const RolloutTable& table,
+                                               const RobotLanes<Value>& robot,
+                                               const FieldLanes<Value>& here, const Value& speed) {
   using Mask = typename MaskOf<Value>::Type;
   const StepConstants& c = table.constants;
   const Mask has_way = (here.direction_x != 0.0F) | (here.direction_y != 0.0F);
   const Value slower = larger(robot.speed - c.speed_step, spread<Value>(0.0F));
-  return moveRobots<Value>(c, table.field, robot, here, select(has_way, speed, slower),
-                           select(has_way, here.direction_x, robot.direction_x),
-                           select(has_way, here.direction_y, robot.direction_y), has_way);
+  return moveRobots<Value, kVias>(c, table.field, robot, here, select(has_way, speed, slower),
+                                  select(has_way, here.direction_x, robot.direction_x),
+                                  select(has_way, here.direction_y, robot.direction_y), has_way);
 }
 
 // With nobody within reach: full speed ahead.
-template <class Value>
-PCN_INLINE StepLanes<Value> stepAlone(const RolloutTable& table, const RobotLanes<Value>& robot,
-                                      const FieldLanes<Value>& here) {
+template <class Value, int kVias>
+PCN_INLINE StepLanes<Value, kVias> stepAlone(const RolloutTable& table,
+                                             const RobotLanes<Value>& robot,
+                                             const FieldLanes<Value>& here) {
   const StepConstants& c = table.constants;
-  StepLanes<Value> step;
-  step.move = followPrior<Value>(table, robot, here,
-                                 smaller(robot.speed + c.speed_step, spread<Value>(c.max_speed)));
+  StepLanes<Value, kVias> step;
+  step.move = followPrior<Value, kVias>(
+      table, robot, here, smaller(robot.speed + c.speed_step, spread<Value>(c.max_speed)));
   step.nearest_sq = spread<Value>(kFarAwaySq);
   step.collides = step.move.ends_outside | step.move.hits_obstacle;
   step.reward = select(step.collides, spread<Value>(c.obstacle_penalty), spread<Value>(0.0F));
   return step;
 }
 
-template <class Value>
-PCN_INLINE StepLanes<Value> stepAmongPeople(const RolloutTable& table,
-                                            const RobotLanes<Value>& robot,
-                                            const FieldLanes<Value>& here, int first,
-                                            const RolloutBatch& batch) {
+template <class Value, int kVias>
+PCN_INLINE StepLanes<Value, kVias> stepAmongPeople(const RolloutTable& table,
+                                                   const RobotLanes<Value>& robot,
+                                                   const FieldLanes<Value>& here, int first,
+                                                   const RolloutBatch& batch) {
+  const StepConstants& c = table.constants;
   const Value start_sq = load<Value>(batch.nearest_sq + first);
-  StepLanes<Value> step;
-  step.move =
-      followPrior<Value>(table, robot, here,
-                         rolloutSpeed(table.constants, load<Value>(batch.near_sq + first),
-                                      load<Value>(batch.far_sq + first), robot.speed, start_sq));
-  Value mid_sq = spread<Value>(kFarAwaySq);
-  step.nearest_sq = mid_sq;
-  meetPeople(step.move, table.futures.at(table.scenario, batch.depth),
-             table.futures.at(table.scenario, batch.depth + 1), table.futures.personCount(), mid_sq,
+  StepLanes<Value, kVias> step;
+  step.move = followPrior<Value, kVias>(
+      table, robot, here,
+      rolloutSpeed(c, load<Value>(batch.near_sq + first), load<Value>(batch.far_sq + first),
+                   robot.speed, start_sq));
+  Value via_sq = spread<Value>(kFarAwaySq);
+  step.nearest_sq = via_sq;
+  meetPeople(c, step.move, table.futures.at(table.scenario, batch.depth),
+             table.futures.at(table.scenario, batch.depth + 1), table.futures.personCount(), via_sq,
              step.nearest_sq);
-  step.reward = collisionPenalty(table.constants, robot, step.move, start_sq, mid_sq,
-                                 step.nearest_sq, step.collides);
+  step.reward =
+      collisionPenalty(c, robot, step.move, start_sq, via_sq, step.nearest_sq, step.collides);
   return step;
 }
 
 // One step of the roll-outs first, first + 1, ... of a batch. Adds how many of them live on, and
 // lowers `nearest_sq` to the nearest person of those.
-template <class Value>
+template <class Value, int kVias>
 PCN_INLINE void stepRollouts(const RolloutTable& table, bool is_alone, int first,
                              RolloutBatch& batch, int& living, Value& nearest_sq) {
   using Mask = typename MaskOf<Value>::Type;
@@ -123,8 +126,9 @@ PCN_INLINE void stepRollouts(const RolloutTable& table, bool is_alone, int first
   const FieldLanes<Value> here{load<Value>(batch.field_direction_x + first),
                                load<Value>(batch.field_direction_y + first),
                                load<Value>(batch.field_clearance + first)};
-  const StepLanes<Value> step = is_alone ? stepAlone<Value>(table, robot, here)
-                                         : stepAmongPeople<Value>(table, robot, here, first, batch);
+  const StepLanes<Value, kVias> step =
+      is_alone ? stepAlone<Value, kVias>(table, robot, here)
+               : stepAmongPeople<Value, kVias>(table, robot, here, first, batch);
   const Mask arrived = goalDistanceSq(c, robot.x, robot.y) <= c.goal_tolerance_sq;
   const Value reward =
       stepCost(c, robot.speed) + select(arrived, spread<Value>(c.goal_reward), step.reward);
@@ -222,7 +226,7 @@ PCN_INLINE void padLanes(RolloutBatch& batch) {
 
 // Follows a batch to the horizon: values[origin] is the discounted return of each roll-out. Those
 // that the batch still holds have reached the horizon. Adds the steps it evaluated.
-template <class Value>
+template <class Value, int kVias>
 PCN_INLINE void rollOut(const RolloutTable& table, RolloutBatch& batch, float* values,
                         long& steps) {
   int alone_until = 0;
@@ -234,7 +238,7 @@ PCN_INLINE void rollOut(const RolloutTable& table, RolloutBatch& batch, float* v
     steps += living;
     living = 0;
     for (int first = 0; first < batch.count; first += kLanesOf<Value>) {
-      stepRollouts<Value>(table, is_alone, first, batch, living, nearest_sq);
+      stepRollouts<Value, kVias>(table, is_alone, first, batch, living, nearest_sq);
     }
     ++batch.depth;
     batch.discount *= table.constants.discount;

@@ -15,6 +15,11 @@
 // the same depth, so that they meet the same people.
 namespace pomdp_crowd_nav {
 
+// Tests of a step before the one at its end. Kernels are compiled for kHalfWay, the usual case, and
+// for kMaxVias, of which StepConstants::vias are in use.
+constexpr int kHalfWay = 1;
+constexpr int kMaxVias = kMaxCollisionChecks - 1;
+
 // Distances at which a roll-out slows down and speeds up, squared [m^2].
 struct SpeedRule {
   float near_sq, far_sq;
@@ -25,7 +30,9 @@ struct StepConstants {
   float max_speed, speed_step, brake_step;  // [m/s], brake_step: lost in a step of sudden brake
   float turn_speed;                         // [m/s], lateral velocity change in a step
   float end_old, end_new;  // [s], displacement at the end of a step per old and new velocity
-  float mid_old, mid_new;  // [s], the same half a step in
+  int vias;                // tests of a step before the one at its end
+  float share[kMaxVias];   // of the step, when they are made
+  float via_old[kMaxVias], via_new[kMaxVias];  // [s], as end_old and end_new
   float goal_x, goal_y, goal_tolerance_sq;
   float min_x, min_y, max_x, max_y;
   float pedestrian_clearance_sq, obstacle_clearance;
@@ -40,6 +47,17 @@ struct StepConstants {
   bool instant;
 
   StepConstants(const ModelParams& params, const NavigationField& field);
+
+  bool testsHalfWayOnly() const { return vias == kHalfWay; }
+};
+
+template <int kVias>
+PCN_INLINE int viaCount(const StepConstants& c) {
+  return kVias == kHalfWay ? kHalfWay : c.vias;
+}
+
+struct Offset {
+  float x, y;  // [m]
 };
 
 template <class Value>
@@ -54,12 +72,12 @@ struct FieldLanes {
 };
 
 // Where a step takes the robots, people left aside.
-template <class Value>
+template <class Value, int kVias = kHalfWay>
 struct MoveLanes {
   using Mask = typename MaskOf<Value>::Type;
   RobotLanes<Value> end;
-  Value mid_x, mid_y;
-  FieldLanes<Value> field;  // at the end
+  Value via_x[kVias], via_y[kVias];  // where it is tested on the way
+  FieldLanes<Value> field;           // at the end
   Mask ends_outside;
   Mask hits_obstacle;
 };
@@ -140,65 +158,96 @@ PCN_INLINE void turn(const StepConstants& c, const RobotLanes<Value>& robot, Val
 // Squared cosine of the angle within which something lies ahead.
 constexpr float kAheadSq = 0.95F * 0.95F;
 
-// How far robots get in a step, and where they are half way.
-template <class Value>
+// How far robots get in a step, and where they are tested on the way.
+template <class Value, int kVias>
 struct WayLanes {
   using Mask = typename MaskOf<Value>::Type;
-  Value end_x, end_y, mid_x, mid_y;  // [m], from the start
+  Value end_x, end_y, via_x[kVias], via_y[kVias];  // [m], from the start
   Mask passes_goal;
 };
 
 // A base that takes any velocity at once.
-template <class Value>
-PCN_INLINE WayLanes<Value> wayAtOnce(const StepConstants& c, const Value& goal_sq,
-                                     const RobotLanes<Value>& end) {
+template <class Value, int kVias>
+PCN_INLINE WayLanes<Value, kVias> wayAtOnce(const StepConstants& c, const Value& goal_sq,
+                                            const RobotLanes<Value>& end) {
   const Value length = c.end_new * end.speed;
-  const Value end_x = length * end.direction_x;
-  const Value end_y = length * end.direction_y;
-  return {end_x, end_y, 0.5F * end_x, 0.5F * end_y, length * length >= goal_sq};
+  WayLanes<Value, kVias> way;
+  way.end_x = length * end.direction_x;
+  way.end_y = length * end.direction_y;
+  for (int k = 0; k < viaCount<kVias>(c); ++k) {
+    way.via_x[k] = c.share[k] * way.end_x;
+    way.via_y[k] = c.share[k] * way.end_y;
+  }
+  way.passes_goal = length * length >= goal_sq;
+  return way;
 }
 
 // A base whose velocity is a ramp from the old to the new; it passes only what lies ahead.
-template <class Value>
-PCN_INLINE WayLanes<Value> wayOnRamp(const StepConstants& c, const RobotLanes<Value>& robot,
-                                     const RobotLanes<Value>& end, const Value& goal_dx,
-                                     const Value& goal_dy) {
+template <class Value, int kVias>
+PCN_INLINE WayLanes<Value, kVias> wayOnRamp(const StepConstants& c, const RobotLanes<Value>& robot,
+                                            const RobotLanes<Value>& end, const Value& goal_dx,
+                                            const Value& goal_dy) {
   const Value old_x = robot.speed * robot.direction_x;
   const Value old_y = robot.speed * robot.direction_y;
   const Value new_x = end.speed * end.direction_x;
   const Value new_y = end.speed * end.direction_y;
-  const Value end_x = c.end_old * old_x + c.end_new * new_x;
-  const Value end_y = c.end_old * old_y + c.end_new * new_y;
-  const Value length_sq = end_x * end_x + end_y * end_y;
+  WayLanes<Value, kVias> way;
+  way.end_x = c.end_old * old_x + c.end_new * new_x;
+  way.end_y = c.end_old * old_y + c.end_new * new_y;
+  for (int k = 0; k < viaCount<kVias>(c); ++k) {
+    way.via_x[k] = c.via_old[k] * old_x + c.via_new[k] * new_x;
+    way.via_y[k] = c.via_old[k] * old_y + c.via_new[k] * new_y;
+  }
+  const Value length_sq = way.end_x * way.end_x + way.end_y * way.end_y;
   const Value goal_sq = goal_dx * goal_dx + goal_dy * goal_dy;
-  const Value dot = end_x * goal_dx + end_y * goal_dy;
-  typename MaskOf<Value>::Type passes = length_sq >= goal_sq;
-  passes = passes & (dot > 0.0F) & (dot * dot >= kAheadSq * length_sq * goal_sq);
-  return {end_x, end_y, c.mid_old * old_x + c.mid_new * new_x,
-          c.mid_old * old_y + c.mid_new * new_y, passes};
+  const Value dot = way.end_x * goal_dx + way.end_y * goal_dy;
+  way.passes_goal = length_sq >= goal_sq;
+  way.passes_goal = way.passes_goal & (dot > 0.0F) & (dot * dot >= kAheadSq * length_sq * goal_sq);
+  return way;
+}
+
+// Whether a robot that is at the places of `move`, and stands still unless `moves`, comes into the
+// margin of an obstacle. Moving out of the margin is allowed to who is in it already, and to nobody
+// else.
+template <class Value, int kVias>
+PCN_INLINE typename MaskOf<Value>::Type hitsObstacle(const StepConstants& c,
+                                                     const NavigationField& field,
+                                                     const FieldLanes<Value>& here,
+                                                     const MoveLanes<Value, kVias>& move,
+                                                     const typename MaskOf<Value>::Type& moves) {
+  const Value obstacle_clearance = spread<Value>(c.obstacle_clearance);
+  const Value margin =
+      select(here.clearance > obstacle_clearance, obstacle_clearance, here.clearance - 1e-3F);
+  typename MaskOf<Value>::Type hits = move.field.clearance <= margin;
+  for (int k = 0; k < viaCount<kVias>(c); ++k) {
+    hits = hits | (clearanceAt(field, move.via_x[k], move.via_y[k]) <= margin);
+  }
+  return moves & hits;
 }
 
 // Moves robots to `new_speed` in direction (to_x, to_y). Where `stops_at_goal`, a robot that
 // would pass the goal ends on it. `here` is the field at the start.
-template <class Value>
-PCN_INLINE MoveLanes<Value> moveRobots(const StepConstants& c, const NavigationField& field,
-                                       const RobotLanes<Value>& robot,
-                                       const FieldLanes<Value>& here, const Value& new_speed,
-                                       Value to_x, Value to_y,
-                                       const typename MaskOf<Value>::Type& stops_at_goal) {
+template <class Value, int kVias = kHalfWay>
+PCN_INLINE MoveLanes<Value, kVias> moveRobots(const StepConstants& c, const NavigationField& field,
+                                              const RobotLanes<Value>& robot,
+                                              const FieldLanes<Value>& here, const Value& new_speed,
+                                              Value to_x, Value to_y,
+                                              const typename MaskOf<Value>::Type& stops_at_goal) {
   if (!c.instant) turn(c, robot, to_x, to_y);
-  MoveLanes<Value> move;
+  MoveLanes<Value, kVias> move;
   move.end = {robot.x, robot.y, to_x, to_y, new_speed};
   const Value goal_dx = c.goal_x - robot.x;
   const Value goal_dy = c.goal_y - robot.y;
-  WayLanes<Value> way = c.instant
-                            ? wayAtOnce<Value>(c, goal_dx * goal_dx + goal_dy * goal_dy, move.end)
-                            : wayOnRamp<Value>(c, robot, move.end, goal_dx, goal_dy);
+  WayLanes<Value, kVias> way =
+      c.instant ? wayAtOnce<Value, kVias>(c, goal_dx * goal_dx + goal_dy * goal_dy, move.end)
+                : wayOnRamp<Value, kVias>(c, robot, move.end, goal_dx, goal_dy);
   const auto passes = stops_at_goal & way.passes_goal;
   way.end_x = select(passes, goal_dx, way.end_x);
   way.end_y = select(passes, goal_dy, way.end_y);
-  move.mid_x = robot.x + select(passes, 0.5F * goal_dx, way.mid_x);
-  move.mid_y = robot.y + select(passes, 0.5F * goal_dy, way.mid_y);
+  for (int k = 0; k < viaCount<kVias>(c); ++k) {
+    move.via_x[k] = robot.x + select(passes, c.share[k] * goal_dx, way.via_x[k]);
+    move.via_y[k] = robot.y + select(passes, c.share[k] * goal_dy, way.via_y[k]);
+  }
   move.end.x += way.end_x;
   move.end.y += way.end_y;
 
@@ -206,27 +255,32 @@ PCN_INLINE MoveLanes<Value> moveRobots(const StepConstants& c, const NavigationF
   move.ends_outside = moves & ((move.end.x < c.min_x) | (move.end.x > c.max_x) |
                                (move.end.y < c.min_y) | (move.end.y > c.max_y));
   move.field = lookUp(field, move.end.x, move.end.y);
-  move.hits_obstacle = typename MaskOf<Value>::Type{};
-  if (c.has_obstacles) {
-    // Moving out of the margin is allowed to who is in it already, and to nobody else.
-    const Value obstacle_clearance = spread<Value>(c.obstacle_clearance);
-    const Value margin =
-        select(here.clearance > obstacle_clearance, obstacle_clearance, here.clearance - 1e-3F);
-    const Value mid = clearanceAt(field, move.mid_x, move.mid_y);
-    move.hits_obstacle = moves & ((mid <= margin) | (move.field.clearance <= margin));
-  }
+  move.hits_obstacle =
+      c.has_obstacles ? hitsObstacle(c, field, here, move, moves) : typename MaskOf<Value>::Type{};
   return move;
 }
 
-// Smallest squared distance of each robot to anybody, half a step in and at its end; people walk
-// straight from `from` to `to`.
-template <class Value>
-PCN_INLINE void meetPeople(const MoveLanes<Value>& move, const CrowdFutures::Place* from,
-                           const CrowdFutures::Place* to, int count, Value& mid_sq, Value& end_sq) {
+// Where a person is at the k-th test of a step, who walks straight from `from` to `to`.
+template <int kVias>
+PCN_INLINE Offset placeOf(const StepConstants& c, const CrowdFutures::Place& from,
+                          const CrowdFutures::Place& to, int k) {
+  if (kVias == kHalfWay) return {from.mid_x, from.mid_y};
+  return {from.x + c.share[k] * (to.x - from.x), from.y + c.share[k] * (to.y - from.y)};
+}
+
+// Smallest squared distance of each robot to anybody, in the tests on the way and at the end of a
+// step.
+template <class Value, int kVias>
+PCN_INLINE void meetPeople(const StepConstants& c, const MoveLanes<Value, kVias>& move,
+                           const CrowdFutures::Place* from, const CrowdFutures::Place* to,
+                           int count, Value& via_sq, Value& end_sq) {
   for (int i = 0; i < count; ++i) {
-    const Value mid_dx = move.mid_x - from[i].mid_x;
-    const Value mid_dy = move.mid_y - from[i].mid_y;
-    mid_sq = smaller(mid_sq, mid_dx * mid_dx + mid_dy * mid_dy);
+    for (int k = 0; k < viaCount<kVias>(c); ++k) {
+      const Offset person = placeOf<kVias>(c, from[i], to[i], k);
+      const Value via_dx = move.via_x[k] - person.x;
+      const Value via_dy = move.via_y[k] - person.y;
+      via_sq = smaller(via_sq, via_dx * via_dx + via_dy * via_dy);
+    }
     const Value end_dx = move.end.x - to[i].x;
     const Value end_dy = move.end.y - to[i].y;
     end_sq = smaller(end_sq, end_dx * end_dx + end_dy * end_dy);
@@ -235,18 +289,18 @@ PCN_INLINE void meetPeople(const MoveLanes<Value>& move, const CrowdFutures::Pla
 
 // Penalty of a step by its first cause, in the order of the authors' model, and whether there is
 // any. `start_sq` is the squared distance to the nearest person at the start of the step.
-template <class Value>
+template <class Value, int kVias>
 PCN_INLINE Value collisionPenalty(const StepConstants& c, const RobotLanes<Value>& robot,
-                                  const MoveLanes<Value>& move, const Value& start_sq,
-                                  const Value& mid_sq, const Value& end_sq,
+                                  const MoveLanes<Value, kVias>& move, const Value& start_sq,
+                                  const Value& via_sq, const Value& end_sq,
                                   typename MaskOf<Value>::Type& collides) {
-  // Who moves before or after, is tested where the step starts, half way, and where it ends.
+  // Who moves before or after, is tested where the step starts, on the way, and where it ends.
   const auto starts_close =
       ((robot.speed > 0.0F) | (move.end.speed > 0.0F)) & (start_sq <= c.pedestrian_clearance_sq);
   auto comes_close =
-      (move.end.speed > 0.0F) & (smaller(mid_sq, end_sq) <= c.pedestrian_clearance_sq);
+      (move.end.speed > 0.0F) & (smaller(via_sq, end_sq) <= c.pedestrian_clearance_sq);
   if (!c.instant) {  // a base that brakes to rest moves until then
-    comes_close = comes_close | ((robot.speed > 0.0F) & (mid_sq <= c.pedestrian_clearance_sq));
+    comes_close = comes_close | ((robot.speed > 0.0F) & (via_sq <= c.pedestrian_clearance_sq));
   }
   const auto meets_person = starts_close | comes_close;
   collides = move.ends_outside | meets_person | move.hits_obstacle;

@@ -32,7 +32,7 @@ class ShortestWay {
  public:
   struct Params {
     double clearance = 3.0;       // [m], D_obs + L: C
-    double stride = 2.0;          // [m], longest step; its middle and end keep C
+    double stride = 2.0;          // [m], twice the longest way between two places that keep C
     double goal_tolerance = 1.0;  // [m], D_g: where a drive is over
   };
 
