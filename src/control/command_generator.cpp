@@ -51,6 +51,9 @@ BaseCommand CommandGenerator::commandAt(double now, double yaw, const Point& vel
   const bool has_time = std::isfinite(now);
   const double period = has_time ? std::clamp(now - last_time_, 0.0, kLongestPeriod) : 0.0;
   if (has_time) last_time_ = now;
+  if (vehicle_.kind == VehicleKind::kCar) {
+    return commandCar(now, period, yaw, finiteOrZero(velocity).norm());
+  }
   Point target(0.0, 0.0);
   double desired_yaw = yaw;
   if (isStopping(now)) {
@@ -72,6 +75,38 @@ Point CommandGenerator::wantedVelocity(double time, double period) const {
   const bool bends = motion_->instant && !motion_->legs.empty() && period > 0.0;
   if (!bends) return motion_->velocityAt(time + period);
   return (motion_->positionAt(time + period) - motion_->positionAt(time)) / period;
+}
+
+// A car faces where it drives: no velocity but a forward one, and no turn without it.
+BaseCommand CommandGenerator::commandCar(double now, double period, double yaw, double speed) {
+  if (isStopping(now)) {
+    const double slowed = speedAfterBrake(vehicle_, std::min(last_speed_, speed), period);
+    last_speed_ = slowed > kRestSpeed ? slowed : 0.0;
+  } else {
+    steerAlong(now - start_time_, period, yaw);
+  }
+  const double tightest = maxCurvature(vehicle_);
+  last_speed_ = std::clamp(std::isfinite(last_speed_) ? last_speed_ : 0.0, 0.0, vehicle_.max_speed);
+  last_curvature_ =
+      std::clamp(std::isfinite(last_curvature_) ? last_curvature_ : 0.0, -tightest, tightest);
+  BaseCommand command;
+  command.velocity = {last_speed_, 0.0};
+  command.yaw_rate =
+      std::clamp(last_curvature_ * last_speed_, -vehicle_.max_yaw_rate, vehicle_.max_yaw_rate);
+  return command;
+}
+
+// Speed and curvature of the way that is driven until the next command; an instant base needs the
+// mean speed, another the one to have by then.
+void CommandGenerator::steerAlong(double time, double period, double yaw) {
+  const double driven = motion_->distanceAt(time + period) - motion_->distanceAt(time);
+  const bool needs_mean = vehicle_.instant_velocity && period > 0.0 && !motion_->legs.empty();
+  last_speed_ = needs_mean ? driven / period : motion_->velocityAt(time + period).norm();
+  const double heading = motion_->headingAt(time);
+  const double turn = wrapAngle(motion_->headingAt(time + period) - heading);
+  last_curvature_ = driven > 0.0 ? turn / driven : 0.0;
+  if (!std::isfinite(yaw) || last_speed_ <= kRestSpeed) return;
+  last_curvature_ += params_.yaw_gain * wrapAngle(heading - yaw) / last_speed_;
 }
 
 BaseCommand CommandGenerator::limited(const Point& velocity, double yaw, double desired_yaw,

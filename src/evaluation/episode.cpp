@@ -85,11 +85,13 @@ class Trip {
   }
 
   VehicleState vehicle() const {
-    const bool bends = motion_ && !motion_->legs.empty();
+    const bool bends =
+        motion_ && !motion_->legs.empty() && model_.vehicle.kind == VehicleKind::kHolonomic;
     if (bends && !commands_.isStopping(simulator_.time())) return onBentWay();
     const Point& velocity = simulator_.base().velocity();
     const double speed = velocity.norm();
-    const double heading = speed > 1e-3 ? std::atan2(velocity.y(), velocity.x()) : travel_heading_;
+    double heading = speed > 1e-3 ? std::atan2(velocity.y(), velocity.x()) : travel_heading_;
+    if (model_.vehicle.kind == VehicleKind::kCar) heading = simulator_.base().pose().heading;
     return {simulator_.base().pose().position, heading, speed > 1e-3 ? speed : 0.0};
   }
 

@@ -55,6 +55,11 @@ void readVehicle(ParamReader& reader, VehicleParams& vehicle) {
   reader.read("max_vel_theta", vehicle.max_yaw_rate);
   reader.read("brake_deceleration", vehicle.brake_deceleration);
   reader.read("instant_velocity", vehicle.instant_velocity);
+  readChoice(reader, "vehicle", vehicle.kind, "holonomic", VehicleKind::kHolonomic, "car",
+             VehicleKind::kCar);
+  reader.read("wheelbase", vehicle.wheelbase);
+  reader.read("max_steering_angle", vehicle.max_steering_angle);
+  reader.read("max_turn_per_step", vehicle.max_turn_per_step);
 }
 
 void readReward(ParamReader& reader, RewardParams& reward) {
@@ -138,6 +143,7 @@ NavigationParams loadNavigationParams(ParamReader& reader) {
   reader.read("controller_frequency", params.controller_frequency);
   reader.read("yaw_goal_tolerance", params.yaw_goal_tolerance);
   requireKnownPlanner(params.planner);
+  requireDrives(params.planner, params.planning.model.vehicle.kind);
   validate(params.planning);
   requirePositive("search_time", params.search_time);
   requirePositive("controller_frequency", params.controller_frequency);

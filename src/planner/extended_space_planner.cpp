@@ -68,6 +68,11 @@ StepMotion ExtendedSpacePlanner::motionOf(const Action& action, const VehicleSta
     const NavigationCell here = field_.at(state.x, state.y);
     heading = std::atan2(here.direction_y, here.direction_x);
   }
+  if (model.vehicle.kind == VehicleKind::kCar) {
+    if (follows && field_.isStraightLine()) heading = bearing(vehicle.position, field_.goal());
+    const StepMotion arc = stepMotion(model.vehicle, vehicle, heading, speed, model.step);
+    return follows ? stopAt(model.vehicle, field_.goal(), vehicle, arc).value_or(arc) : arc;
+  }
   StepMotion motion = stepMotion(model.vehicle, vehicle, heading, speed, model.step);
   // A step along the prior ends on the goal rather than past it.
   const Point to_goal = field_.goal() - vehicle.position;

@@ -24,19 +24,26 @@ std::unique_ptr<Planner> makeExtendedSpace(const char* prior, const Task& task,
 
 struct Entry {
   const char* name;
+  VehicleKind vehicle;
   Maker make;
 };
 
+const char* nameOf(VehicleKind kind) { return kind == VehicleKind::kCar ? "car" : "holonomic"; }
+
 const Entry kPlanners[] = {
-    {"2d_fmm",
+    {"2d_fmm", VehicleKind::kHolonomic,
      [](const Task& task, const PlannerParams& params) {
        return makeExtendedSpace("fast_marching", task, params);
      }},
-    {"2d_prm",
+    {"2d_prm", VehicleKind::kHolonomic,
      [](const Task& task, const PlannerParams& params) {
        return makeExtendedSpace("roadmap", task, params);
      }},
-    {"2d_straight",
+    {"2d_straight", VehicleKind::kHolonomic,
+     [](const Task& task, const PlannerParams& params) {
+       return makeExtendedSpace("straight_line", task, params);
+     }},
+    {"2d_nhv", VehicleKind::kCar,
      [](const Task& task, const PlannerParams& params) {
        return makeExtendedSpace("straight_line", task, params);
      }},
@@ -50,6 +57,23 @@ std::vector<std::string> plannerNames() {
   return names;
 }
 
+bool drives(const std::string& planner, VehicleKind kind) {
+  for (const Entry& entry : kPlanners) {
+    if (planner == entry.name) return entry.vehicle == kind;
+  }
+  return false;
+}
+
+void requireDrives(const std::string& planner, VehicleKind kind) {
+  if (drives(planner, kind)) return;
+  std::string able;
+  for (const std::string& name : plannerNames()) {
+    if (drives(name, kind)) able += (able.empty() ? "" : ", ") + name;
+  }
+  throw std::invalid_argument(fmt::format("planner must be one of {} for vehicle '{}', got '{}'",
+                                          able, nameOf(kind), planner));
+}
+
 std::unique_ptr<Planner> makePlanner(const std::string& name, const Task& task,
                                      const PlannerParams& params) {
   validate(params);
@@ -57,7 +81,9 @@ std::unique_ptr<Planner> makePlanner(const std::string& name, const Task& task,
     throw std::invalid_argument("destinations must name at least one place that people walk to");
   }
   for (const Entry& entry : kPlanners) {
-    if (name == entry.name) return entry.make(task, params);
+    if (name != entry.name) continue;
+    requireDrives(name, params.model.vehicle.kind);
+    return entry.make(task, params);
   }
   std::string known;
   for (const Entry& entry : kPlanners)

@@ -31,9 +31,22 @@ CrowdModel::CrowdModel(const ModelParams& params, const MapTables& map, const Cr
 }
 
 const ActionSet& CrowdModel::actionSet(const RobotState& state) const {
+  return action_sets_.legal(state.speed > 0.0F, canFollowPrior(state));
+}
+
+// A car that would have to turn farther than it can has that turn among its actions already.
+bool CrowdModel::canFollowPrior(const RobotState& state) const {
   const NavigationCell here = field_.at(state.x, state.y);
-  const bool has_way = here.direction_x != 0.0F || here.direction_y != 0.0F;
-  return action_sets_.legal(state.speed > 0.0F, has_way);
+  if (here.direction_x == 0.0F && here.direction_y == 0.0F) return false;
+  return !constants_.is_car || std::abs(angleToPrior(state)) < constants_.max_turn;
+}
+
+float CrowdModel::angleToPrior(const RobotState& state) const {
+  const NavigationCell here = field_.at(state.x, state.y);
+  const bool exact = constants_.heads_for_goal;
+  return turnAngle<float>(state.direction_x, state.direction_y,
+                          exact ? constants_.goal_x - state.x : here.direction_x,
+                          exact ? constants_.goal_y - state.y : here.direction_y);
 }
 
 const std::vector<Action>& CrowdModel::legalActions(const RobotState& state) const {
@@ -148,8 +161,8 @@ float CrowdModel::rollOutOne(const RobotState& state, const FieldLanes<float>& h
   float value = 0.0F;
   long steps = 0;
   const RolloutTable table{constants_, field_, futures_, scenario};
-  constants_.testsHalfWayOnly() ? rollOut<float, kHalfWay>(table, batch, &value, steps)
-                                : rollOut<float, kMaxVias>(table, batch, &value, steps);
+  constants_.isUsual() ? rollOut<float, kHalfWay>(table, batch, &value, steps)
+                       : rollOut<float, kMaxVias>(table, batch, &value, steps);
   if (batch.count == 0) return value;
   return value +
          batch.discount * beyondHorizon({batch.x[0], batch.y[0], 1.0F, 0.0F, batch.speed[0]});
@@ -170,16 +183,15 @@ MoveLanes<float, kVias> CrowdModel::moveOne(const RobotState& state, const Actio
 }
 
 RobotState CrowdModel::move(const RobotState& state, const Action& action) const {
-  const RobotLanes<float> end = constants_.testsHalfWayOnly()
-                                    ? moveOne<kHalfWay>(state, action).end
-                                    : moveOne<kMaxVias>(state, action).end;
+  const RobotLanes<float> end = constants_.isUsual() ? moveOne<kHalfWay>(state, action).end
+                                                     : moveOne<kMaxVias>(state, action).end;
   return {end.x, end.y, end.direction_x, end.direction_y, end.speed};
 }
 
 Branch CrowdModel::step(const RobotState& state, int scenario, int depth, const Action& action,
                         RobotState& next) const {
-  return constants_.testsHalfWayOnly() ? stepBy<kHalfWay>(state, scenario, depth, action, next)
-                                       : stepBy<kMaxVias>(state, scenario, depth, action, next);
+  return constants_.isUsual() ? stepBy<kHalfWay>(state, scenario, depth, action, next)
+                              : stepBy<kMaxVias>(state, scenario, depth, action, next);
 }
 
 template <int kVias>
@@ -229,7 +241,8 @@ Action CrowdModel::defaultAction(const RobotState* state) const {
   const bool has_way = here.direction_x != 0.0F || here.direction_y != 0.0F;
   if (start_sq < constants_.rules[0].near_sq || !has_way)
     return Action::turnBy(0.0, moving ? -1 : 0);
-  return Action::followPrior(moving ? 0 : 1);
+  if (canFollowPrior(*state)) return Action::followPrior(moving ? 0 : 1);
+  return Action::turnBy(std::copysign(M_PI / 4.0, angleToPrior(*state)), moving ? 0 : 1);
 }
 
 }  // namespace pomdp_crowd_nav

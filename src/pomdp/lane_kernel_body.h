@@ -65,7 +65,7 @@ void moveActionsBy(const Evaluation& e, ActionMoves& moves) {
 }
 
 void moveActions(const Evaluation& e, ActionMoves& moves) {
-  e.constants.testsHalfWayOnly() ? moveActionsBy<kHalfWay>(e, moves)
+  e.constants.isUsual() ? moveActionsBy<kHalfWay>(e, moves)
                                  : moveActionsBy<kMaxVias>(e, moves);
 }
 
@@ -118,7 +118,7 @@ void evaluateScenarioBy(const Evaluation& e, const ActionMoves& moves, float sta
 void evaluateScenario(const Evaluation& e, const ActionMoves& moves, float start_sq, int scenario,
                       int depth, ScenarioOutcome& out, long& steps) {
   const auto evaluate =
-      e.constants.testsHalfWayOnly() ? evaluateScenarioBy<kHalfWay> : evaluateScenarioBy<kMaxVias>;
+      e.constants.isUsual() ? evaluateScenarioBy<kHalfWay> : evaluateScenarioBy<kMaxVias>;
   evaluate(e, moves, start_sq, scenario, depth, out, steps);
 }
 

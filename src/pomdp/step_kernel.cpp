@@ -52,6 +52,12 @@ StepConstants::StepConstants(const ModelParams& p, const NavigationField& field)
   low_speed_cost = static_cast<float>(p.reward.low_speed * p.step);
   discount = static_cast<float>(p.discount());
   has_obstacles = field.hasObstacles();
+  is_car = v.kind == VehicleKind::kCar;
+  heads_for_goal = is_car && field.isStraightLine();
+  max_curvature = static_cast<float>(maxCurvature(v));
+  max_turn = static_cast<float>(v.max_turn_per_step);
+  max_yaw_rate = static_cast<float>(v.max_yaw_rate);
+  max_lateral = instant ? 1e9F : static_cast<float>(v.lateral_acceleration);
 }
 
 }  // namespace pomdp_crowd_nav

@@ -23,7 +23,10 @@ PackedDirection packDirection(double x, double y) {
 }
 
 NavigationField::NavigationField(const RolloutPrior& prior, const StaticMap& map, double resolution)
-    : bounds_(map.bounds()), goal_(prior.goal()), has_obstacles_(map.hasObstacles()) {
+    : bounds_(map.bounds()),
+      goal_(prior.goal()),
+      has_obstacles_(map.hasObstacles()),
+      is_straight_line_(prior.isStraightLine()) {
   const GridFrame grid = coveringGrid(bounds_, resolution);
   raster_.min_x = static_cast<float>(grid.origin.x());
   raster_.min_y = static_cast<float>(grid.origin.y());

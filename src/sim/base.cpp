@@ -44,12 +44,17 @@ void SimulatedBase::place(const Pose& pose) {
   pose_ = {pose.position, wrapAngle(pose.heading)};
   velocity_ = Point::Zero();
   yaw_rate_ = 0.0;
+  curvature_ = 0.0;
 }
 
 void SimulatedBase::follow(const BaseCommand& command, double duration) {
   if (!(duration > 0.0)) return;
   const Point body_velocity = command.velocity.allFinite() ? command.velocity : Point(0.0, 0.0);
   const double yaw_rate = std::isfinite(command.yaw_rate) ? command.yaw_rate : 0.0;
+  if (params_.kind == VehicleKind::kCar) {
+    followCar(body_velocity.x(), yaw_rate, duration);
+    return;
+  }
   const Eigen::Rotation2Dd body(pose_.heading);  // held while the body turns
   const Point target = capped(body_velocity, params_.max_speed);
   const double yaw_target = std::clamp(yaw_rate, -params_.max_yaw_rate, params_.max_yaw_rate);
@@ -62,6 +67,35 @@ void SimulatedBase::follow(const BaseCommand& command, double duration) {
   }
   const int substeps = std::max(1, static_cast<int>(std::ceil(duration / kSubstep)));
   for (int i = 0; i < substeps; ++i) ramp(body, target, yaw_target, duration / substeps);
+}
+
+void SimulatedBase::followCar(double speed, double yaw_rate, double duration) {
+  const double target = std::clamp(speed, 0.0, params_.max_speed);
+  if (target > 0.0) {
+    const double tightest = std::min(maxCurvature(params_), params_.max_yaw_rate / target);
+    curvature_ = std::clamp(yaw_rate / target, -tightest, tightest);
+  }
+  if (params_.instant_velocity) {
+    velocity_ = target * unitVector(pose_.heading);
+    driveArc(target, duration);
+    return;
+  }
+  const int substeps = std::max(1, static_cast<int>(std::ceil(duration / kSubstep)));
+  const double period = duration / substeps;
+  for (int i = 0; i < substeps; ++i) {
+    driveArc(axisAfter(velocity_.norm(), target, params_.acceleration, params_.brake_deceleration,
+                       period),
+             period);
+  }
+}
+
+// At a speed that changes linearly from the present one.
+void SimulatedBase::driveArc(double speed_after, double duration) {
+  const double length = 0.5 * (velocity_.norm() + speed_after) * duration;
+  const PathLeg arc{pose_.heading, curvature_ * length, length};
+  pose_ = {pose_.position + arc.displacement(length), wrapAngle(pose_.heading + arc.turn)};
+  velocity_ = speed_after * unitVector(pose_.heading);
+  yaw_rate_ = curvature_ * speed_after;
 }
 
 void SimulatedBase::ramp(const Eigen::Rotation2Dd& body, const Point& target, double yaw_target,

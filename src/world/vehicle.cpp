@@ -15,6 +15,36 @@ void requirePositive(const char* name, double value) {
   throw std::invalid_argument(fmt::format("{} must be positive, got {}", name, value));
 }
 
+void requireAngle(const char* name, double value, const char* limit, double most) {
+  if (value > 0.0 && value <= most) return;
+  throw std::invalid_argument(
+      fmt::format("{} must be positive and {} rad, got {}", name, limit, value));
+}
+
+double lengthOf(const std::vector<PathLeg>& legs) {
+  double length = 0.0;
+  for (const PathLeg& leg : legs) length += leg.length;
+  return length;
+}
+
+double fastestOf(const StepMotion& motion) {
+  const double end = motion.end_velocity.norm();
+  return motion.instant ? end : std::max(motion.start_velocity.norm(), end);
+}
+
+// One arc for a car that ends the step at `speed`, turned by as much of `turn` as it can.
+void driveArc(const VehicleParams& params, const VehicleState& from, double turn, double speed,
+              StepMotion& motion) {
+  motion.end_velocity = speed * unitVector(from.heading);
+  const double mean = motion.instant ? speed : 0.5 * (from.speed + speed);
+  const double length = mean * motion.duration;
+  const double most = maxArcTurn(params, length, fastestOf(motion));
+  const double turned = std::clamp(turn, -most, most);
+  motion.end_heading = wrapAngle(from.heading + turned);
+  motion.end_velocity = speed * unitVector(motion.end_heading);
+  if (length > 0.0) motion.legs = {{from.heading, turned, length}};
+}
+
 }  // namespace
 
 void validate(const VehicleParams& params) {
@@ -25,6 +55,9 @@ void validate(const VehicleParams& params) {
   requirePositive("brake_deceleration", params.brake_deceleration);
   requirePositive("max_vel_theta", params.max_yaw_rate);
   requirePositive("acc_lim_theta", params.yaw_acceleration);
+  requirePositive("wheelbase", params.wheelbase);
+  requireAngle("max_steering_angle", params.max_steering_angle, "below pi / 2", 1.57);
+  requireAngle("max_turn_per_step", params.max_turn_per_step, "at most pi / 2", 1.5708);
 }
 
 double speedAfter(const VehicleParams& params, double speed, double speed_change) {
@@ -54,6 +87,19 @@ double turnToward(double heading, double desired, double max_chord) {
   return wrapAngle(heading + std::clamp(turn, -max_turn, max_turn));
 }
 
+double maxCurvature(const VehicleParams& params) {
+  return std::tan(params.max_steering_angle) / params.wheelbase;
+}
+
+double maxArcTurn(const VehicleParams& params, double length, double fastest) {
+  double curvature = maxCurvature(params);
+  if (fastest > 0.0) curvature = std::min(curvature, params.max_yaw_rate / fastest);
+  if (fastest > 0.0 && !params.instant_velocity) {
+    curvature = std::min(curvature, params.lateral_acceleration / (fastest * fastest));
+  }
+  return std::min(params.max_turn_per_step, curvature * length);
+}
+
 Point PathLeg::displacement(double distance) const {
   // The chord of an arc, which points half its turn away from where it begins.
   const double half = length > 0.0 ? 0.5 * turn * distance / length : 0.0;
@@ -66,18 +112,20 @@ double PathLeg::headingAt(double distance) const {
 }
 
 double StepMotion::distanceAt(double time) const {
-  if (instant) return time * end_velocity.norm();
-  const double ramp = std::clamp(time, 0.0, duration);
+  const double speed = end_velocity.norm();
+  const double within = std::min(time, duration);
+  const double ramp = std::max(0.0, within);
   const double from = start_velocity.norm();
-  return ramp * from + 0.5 * ramp * ramp / duration * (end_velocity.norm() - from);
+  const double driven =
+      instant ? within * speed : ramp * from + 0.5 * ramp * ramp / duration * (speed - from);
+  return std::min(driven, lengthOf(legs)) + (time - within) * speed;
 }
 
 Point StepMotion::velocityAt(double time) const {
   const double share = instant ? 1.0 : std::clamp(time / duration, 0.0, 1.0);
   if (legs.empty()) return start_velocity + share * (end_velocity - start_velocity);
-  double length = 0.0;
-  for (const PathLeg& leg : legs) length += leg.length;
-  const bool has_ended = time < duration && distanceAt(time) >= length;
+  constexpr double kRounding = 1e-9;  // [s]
+  const bool has_ended = time < duration - kRounding && distanceAt(time) >= lengthOf(legs);
   if (has_ended) return {0.0, 0.0};
   const double from = start_velocity.norm();
   return (from + share * (end_velocity.norm() - from)) * unitVector(headingAt(time));
@@ -121,11 +169,40 @@ StepMotion stepMotion(const VehicleParams& params, const VehicleState& from, dou
   StepMotion motion;
   motion.start = from.position;
   motion.start_velocity = from.velocity();
-  motion.end_heading = turnToward(from.heading, heading, maxTurnChord(params, from.speed, step));
-  motion.end_velocity = speed * unitVector(motion.end_heading);
   motion.duration = step;
   motion.instant = params.instant_velocity;
+  if (params.kind == VehicleKind::kCar) {
+    driveArc(params, from, wrapAngle(heading - from.heading), speed, motion);
+    return motion;
+  }
+  motion.end_heading = turnToward(from.heading, heading, maxTurnChord(params, from.speed, step));
+  motion.end_velocity = speed * unitVector(motion.end_heading);
   return motion;
+}
+
+std::optional<PathLeg> arcTo(const VehicleState& from, const Point& place) {
+  // Between an arc's chord and the heading at its beginning lies half of its turn.
+  const Point way = place - from.position;
+  const double half = wrapAngle(bearing(from.position, place) - from.heading);
+  if (std::abs(half) >= 0.5 * M_PI) return std::nullopt;
+  const double stretch = std::abs(half) < 1e-9 ? 1.0 : half / std::sin(half);
+  return PathLeg{from.heading, 2.0 * half, way.norm() * stretch};
+}
+
+std::optional<StepMotion> stopAt(const VehicleParams& params, const Point& place,
+                                 const VehicleState& from, const StepMotion& motion) {
+  const std::optional<PathLeg> arc = arcTo(from, place);
+  if (!arc || motion.legs.empty() || arc->length > motion.legs.front().length) return std::nullopt;
+  const double fastest = fastestOf(motion);
+  if (std::abs(arc->turn) > maxArcTurn(params, arc->length, fastest)) return std::nullopt;
+  StepMotion stopped = motion;
+  stopped.legs = {*arc};
+  stopped.end_heading = wrapAngle(from.heading + arc->turn);
+  const double share = arc->length / motion.legs.front().length;
+  const double speed = share * motion.end_velocity.norm();
+  stopped.start_velocity *= share;
+  stopped.end_velocity = speed * unitVector(stopped.end_heading);
+  return stopped;
 }
 
 }  // namespace pomdp_crowd_nav

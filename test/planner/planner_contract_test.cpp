@@ -65,18 +65,52 @@ class PlannerContract : public testing::TestWithParam<std::tuple<std::string, bo
     EXPECT_EQ(motion.start, vehicle.position);
     EXPECT_DOUBLE_EQ(motion.duration, params_.model.step);
     EXPECT_LE(motion.end_velocity.norm(), limits.max_speed + 1e-6);
+    if (limits.kind == VehicleKind::kCar) expectArc(motion, vehicle);
     if (limits.instant_velocity) return;
     EXPECT_LE((motion.start_velocity - vehicle.velocity()).norm(), 1e-9);
     const double step = motion.duration;
     const double end_speed = motion.end_velocity.norm();
     EXPECT_LE(end_speed, vehicle.speed + limits.acceleration * step + 1e-6);
     EXPECT_GE(end_speed, vehicle.speed - limits.brake_deceleration * step - 1e-6);
+    if (limits.kind == VehicleKind::kCar) return;
     const double chord = (unitVector(motion.end_heading) - unitVector(vehicle.heading)).norm();
     EXPECT_LE(vehicle.speed * chord, limits.lateral_acceleration * step + 1e-6);
   }
 
+  // A car drives where it faces, turns no tighter than it can, and keeps its heading at rest.
+  void expectArc(const StepMotion& motion, const VehicleState& vehicle) const {
+    const VehicleParams& limits = params_.model.vehicle;
+    if (motion.legs.empty()) {
+      EXPECT_EQ(motion.end_velocity.norm(), 0.0);
+      EXPECT_NEAR(wrapAngle(motion.end_heading - vehicle.heading), 0.0, 1e-9);
+      return;
+    }
+    ASSERT_EQ(motion.legs.size(), 1U);
+    const PathLeg& leg = motion.legs.front();
+    EXPECT_EQ(leg.heading, vehicle.heading);
+    EXPECT_LE(std::abs(leg.turn), limits.max_turn_per_step + 1e-9);
+    EXPECT_LE(std::abs(leg.turn), maxCurvature(limits) * leg.length + 1e-9);
+    EXPECT_NEAR(wrapAngle(vehicle.heading + leg.turn - motion.end_heading), 0.0, 1e-9);
+    const double along = motion.end_velocity.dot(unitVector(motion.end_heading));
+    EXPECT_NEAR(along, motion.end_velocity.norm(), 1e-9);
+    if (limits.instant_velocity) return;
+    const double fastest = std::max(vehicle.speed, motion.end_velocity.norm());
+    EXPECT_LE(std::abs(leg.turn) / leg.length * fastest * fastest,
+              limits.lateral_acceleration + 1e-9);
+  }
+
+  static PlannerParams params() {
+    PlannerParams params = std::get<1>(GetParam()) ? instantParams() : rampedParams();
+    if (drives(std::get<0>(GetParam()), VehicleKind::kHolonomic)) return params;
+    params.model.vehicle.kind = VehicleKind::kCar;
+    params.model.vehicle.max_yaw_rate = 3.2;
+    params.model.collision_checks = 5;
+    if (params.model.vehicle.instant_velocity) params.model.vehicle.max_speed = 4.0;
+    return params;
+  }
+
   StaticMap map_ = discMap();
-  PlannerParams params_ = std::get<1>(GetParam()) ? instantParams() : rampedParams();
+  PlannerParams params_ = params();
 };
 
 TEST_P(PlannerContract, ReachesAGoalAloneInLockstep) {
@@ -262,6 +296,19 @@ TEST(PlannerFactory, AnUnknownNameListsTheKnown) {
   for (const std::string& name : plannerNames()) {
     EXPECT_NE(message.find(name), std::string::npos) << message;
   }
+}
+
+TEST(PlannerFactory, EachPlannerDrivesItsVehicle) {
+  PlannerParams car;
+  car.model.vehicle.kind = VehicleKind::kCar;
+  for (const std::string& name : plannerNames()) {
+    EXPECT_EQ(messageFor(name, kCorners) == "accepted", drives(name, VehicleKind::kHolonomic));
+    EXPECT_EQ(messageFor(name, kCorners, car) == "accepted", drives(name, VehicleKind::kCar));
+  }
+  EXPECT_EQ(messageFor("2d_fmm", kCorners, car).find("planner must be one of 2d_nhv"), 0U)
+      << messageFor("2d_fmm", kCorners, car);
+  const std::string message = messageFor("2d_nhv", kCorners);
+  EXPECT_NE(message.find("for vehicle 'holonomic', got '2d_nhv'"), std::string::npos) << message;
 }
 
 TEST(PlannerFactory, RefusesWhatNoPlannerCanUse) {

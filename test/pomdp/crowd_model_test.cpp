@@ -20,6 +20,7 @@ struct Setting {
   ModelParams model;
   bool obstacles = false;
   int people = 6;
+  std::string prior = "fast_marching";
 };
 
 void PrintTo(const Setting& setting, std::ostream* out) { *out << setting.name; }
@@ -33,10 +34,17 @@ std::vector<Setting> settings() {
   paper_bound.upper_bound = UpperBoundKind::kPaper;
   ModelParams five_checks = paperModel();
   five_checks.collision_checks = 5;
+  ModelParams two_checks = carModel();
+  two_checks.collision_checks = 2;
   ModelParams ramped_three_checks = rampedModel();
   ramped_three_checks.collision_checks = 3;
   return {{"paper_five_checks", five_checks, true},
           {"ramped_three_checks", ramped_three_checks, true, 20},
+          {"car", carModel(), false, 6, "straight_line"},
+          {"car_obstacles", carModel(), true, 10},
+          {"car_two_checks", two_checks, true, 6, "straight_line"},
+          {"ramped_car", rampedCarModel(), false, 6, "straight_line"},
+          {"ramped_car_obstacles", rampedCarModel(), true, 20},
           {"paper", paperModel()},
           {"paper_obstacles", paperModel(), true},
           {"paper_one_policy", timid, true},
@@ -50,7 +58,8 @@ std::vector<Setting> settings() {
 
 class CrowdModelTest : public testing::TestWithParam<Setting> {
  protected:
-  CrowdScene scene_{GetParam().model, {GetParam().people, 8, GetParam().obstacles, 3}};
+  CrowdScene scene_{GetParam().model,
+                    {GetParam().people, 8, GetParam().obstacles, 3, false, GetParam().prior}};
   CrowdModel model_{GetParam().model, scene_.field(), scene_.futures()};
   std::mt19937_64 random_{11};
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "pomdp_crowd_nav/pomdp/crowd_model.h"
@@ -38,12 +39,35 @@ inline ModelParams rampedModel() {
   return params;
 }
 
+// The paper's car.
+inline ModelParams carModel() {
+  ModelParams params = paperModel();
+  params.vehicle.kind = VehicleKind::kCar;
+  params.vehicle.max_speed = 4.0;
+  params.vehicle.max_yaw_rate = 3.2;
+  params.collision_checks = 5;
+  return params;
+}
+
+// A small one that speeds up and brakes on its arcs, none of which is too fast.
+inline ModelParams rampedCarModel() {
+  ModelParams params = rampedModel();
+  params.vehicle.kind = VehicleKind::kCar;
+  params.vehicle.wheelbase = 0.6;
+  params.vehicle.max_steering_angle = 0.5;
+  params.vehicle.max_turn_per_step = 0.6;
+  params.vehicle.max_yaw_rate = 0.9;
+  params.collision_checks = 3;
+  return params;
+}
+
 struct CrowdSceneParams {
   int people = 6;
   int scenarios = 8;
   bool obstacles = false;
   std::uint64_t seed = 1;
   bool walls = false;  // long ways round
+  std::string prior = "fast_marching";
 };
 
 // A field of 40 m by 30 m with a goal near its right border and people all over it. Not copyable:
@@ -112,7 +136,7 @@ class CrowdScene {
     PriorParams prior;
     prior.resolution = 0.25;
     prior.clearance = model_.obstacleClearance();
-    return makePrior("fast_marching", map_, {38.03, 19.07}, prior);
+    return makePrior(params_.prior, map_, {38.03, 19.07}, prior);
   }
 
   Params params_;

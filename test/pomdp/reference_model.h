@@ -36,6 +36,7 @@ class ReferenceModel {
     const bool follows = action.heading == Action::Heading::kFollowPrior;
     const double heading =
         follows ? priorHeading(robot.position) : robot.heading + static_cast<double>(action.turn);
+    if (isCar()) noteTurn(robot, heading);
     const Result result =
         advance({robot, scenario, depth}, heading, speedAfter(robot.speed, action), follows);
     Outcome outcome;
@@ -89,6 +90,10 @@ class ReferenceModel {
   }
 
   double priorHeading(const Point& point) {
+    if (isCar() && field_.isStraightLine()) {
+      const Point way = field_.goal() - point;
+      return std::atan2(way.y(), way.x());
+    }
     const NavigationCell here = cell(point);
     return std::atan2(here.direction_y, here.direction_x);
   }
@@ -124,7 +129,70 @@ class ReferenceModel {
     return robot.heading + std::clamp(turn, -largest, largest);
   }
 
+  bool isCar() const { return p_.vehicle.kind == VehicleKind::kCar; }
+
+  // A car that wants to turn back may turn either way.
+  void noteTurn(const VehicleState& robot, double desired) {
+    const double turn = std::remainder(desired - robot.heading, 2.0 * M_PI);
+    margin_ = std::min(margin_, M_PI - std::abs(turn));
+  }
+
+  // The places of a car's step: on the arc of one steering angle.
+  std::vector<Point> drive(const VehicleState& robot, double desired, double new_speed,
+                           bool stops_at_goal, double& heading) {
+    const VehicleParams& v = p_.vehicle;
+    const bool ramped = !v.instant_velocity;
+    const double old_speed = ramped ? robot.speed : new_speed;
+    double length = p_.step * 0.5 * (old_speed + new_speed);
+    const double fastest = std::max(old_speed, new_speed);
+    double curvature = std::tan(v.max_steering_angle) / v.wheelbase;
+    if (fastest > 0.0) curvature = std::min(curvature, v.max_yaw_rate / fastest);
+    if (fastest > 0.0 && ramped) {
+      curvature = std::min(curvature, v.lateral_acceleration / (fastest * fastest));
+    }
+    const auto mostOn = [&](double way) { return std::min(v.max_turn_per_step, curvature * way); };
+    const double wanted = std::remainder(desired - robot.heading, 2.0 * M_PI);
+    double turn = std::clamp(wanted, -mostOn(length), mostOn(length));
+
+    const Point to_goal = field_.goal() - robot.position;
+    const double angle =
+        std::remainder(std::atan2(to_goal.y(), to_goal.x()) - robot.heading, 2.0 * M_PI);
+    const double full_length = length;
+    if (std::abs(angle) < 0.5 * M_PI) {
+      const double to_go = to_goal.norm() * angle / std::sin(angle);
+      const bool near = atMost(to_go, length);
+      const bool can = atMost(std::abs(2.0 * angle), mostOn(to_go));
+      if (stops_at_goal && near && can) {
+        turn = 2.0 * angle;
+        length = to_go;
+      }
+    }
+    heading = robot.heading + turn;
+
+    std::vector<Point> places;
+    for (int k = 1; k <= p_.collision_checks; ++k) {
+      const double t = p_.step * k / p_.collision_checks;
+      const double driven = old_speed * t + 0.5 * t * t / p_.step * (new_speed - old_speed);
+      const double share = full_length > 0.0 ? driven / full_length : 0.0;
+      if (std::abs(turn) < 1e-6) {
+        places.push_back(robot.position + share * length * unitVector(robot.heading));
+        continue;
+      }
+      // Round the centre of the turn.
+      const double radius = length / turn;
+      const Point center = robot.position + radius * unitVector(robot.heading + 0.5 * M_PI);
+      places.push_back(center + radius * unitVector(robot.heading + share * turn - 0.5 * M_PI));
+    }
+    return places;
+  }
+
   Result advance(const Moment& moment, double desired, double new_speed, bool stops_at_goal) {
+    if (isCar()) {
+      double heading = desired;
+      const std::vector<Point> places =
+          drive(moment.robot, desired, new_speed, stops_at_goal, heading);
+      return judge(moment, places, heading, new_speed);
+    }
     const VehicleState& robot = moment.robot;
     const double heading = reachableHeading(robot, desired);
     const Point u(std::cos(heading), std::sin(heading));
@@ -148,8 +216,15 @@ class ReferenceModel {
       const double share = static_cast<double>(k) / p_.collision_checks;
       places.push_back(robot.position + (stops ? Point(share * to_goal) : moved(share * p_.step)));
     }
+    return judge(moment, places, heading, new_speed);
+  }
+
+  Result judge(const Moment& moment, const std::vector<Point>& places, double heading,
+               double new_speed) {
+    const VehicleState& robot = moment.robot;
     const Point end = places.back();
     const bool moves = (end - robot.position).norm() > 0.0;
+    const Point to_goal = field_.goal() - robot.position;
 
     Result result;
     result.next = {end, heading, new_speed};
@@ -235,6 +310,7 @@ class ReferenceModel {
         speed = std::min(p_.vehicle.max_speed, speed + speed_step);
       }
       const double heading = has_way ? priorHeading(moment.robot.position) : moment.robot.heading;
+      if (isCar()) noteTurn(moment.robot, heading);
       const Result result = advance(moment, heading, speed, has_way);
       value += discount * result.reward;
       if (result.terminal) break;

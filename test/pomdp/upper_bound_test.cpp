@@ -82,6 +82,8 @@ std::vector<Setting> settings() {
     all.push_back({"free_drive" + suffix, withBound(free_drive, kind)});
     ModelParams five_checks = paperModel();
     five_checks.collision_checks = 5;
+    all.push_back({"car" + suffix, withBound(carModel(), kind)});
+    all.push_back({"ramped_car" + suffix, withBound(rampedCarModel(), kind)});
     all.push_back({"five_checks" + suffix, withBound(five_checks, kind)});
   }
   return all;
@@ -176,6 +178,9 @@ bool isClear(const CrowdScene& scene, const RobotState& state) {
   return scene.field().at(state.x, state.y).clearance > scene.model().obstacleClearance();
 }
 
+// Fewer drives of a car, which turns wide, arrive.
+bool isCar(const ModelParams& model) { return model.vehicle.kind == VehicleKind::kCar; }
+
 // Room for roll-outs that arrive after a long detour.
 ModelParams farSighted(ModelParams model) {
   model.horizon = std::max(model.horizon, 70.0);
@@ -201,7 +206,7 @@ TEST_P(UpperBoundTest, NoRollOutAroundWallsEarnsMore) {
     detours += way > straightWay(scene, state) + 4.0F ? 1 : 0;
   }
   if (scene.shortestWay() != nullptr) {
-    EXPECT_GT(detours, 2000) << "who arrived after one";
+    EXPECT_GT(detours, isCar(model) ? 50 : 2000) << "who arrived after one";
   }
 }
 
@@ -285,7 +290,7 @@ TEST_P(UpperBoundTest, NoDriveAroundWallsIsShorterThanTheTable) {
     }
     arrivals += drive.size() > 10 ? 1 : 0;
   }
-  EXPECT_GT(arrivals, 1000);
+  EXPECT_GT(arrivals, isCar(model) ? 500 : 1000);
   EXPECT_LT(closest, 2.6) << "of all that went round a wall";
 }
 

@@ -11,7 +11,8 @@ namespace pomdp_crowd_nav {
 // Turns the motion of the newest decision into velocity commands, at any rate.
 //
 // A motion is followed until `hold_time` after its end; then, and whenever there is none, the base
-// is braked to rest. Commands are finite and within the vehicle's limits whatever comes in.
+// is braked to rest, a car on the curve that it is on. Commands are finite and within the vehicle's
+// limits whatever comes in.
 class CommandGenerator {
  public:
   struct Params {
@@ -33,6 +34,8 @@ class CommandGenerator {
 
  private:
   Point wantedVelocity(double time, double period) const;
+  BaseCommand commandCar(double now, double period, double yaw, double speed);
+  void steerAlong(double time, double period, double yaw);
   BaseCommand limited(const Point& velocity, double yaw, double desired_yaw, double period);
 
   Params params_;
@@ -42,6 +45,8 @@ class CommandGenerator {
   double last_time_ = 0.0;
   double last_yaw_rate_ = 0.0;
   Point last_velocity_{0.0, 0.0};  // commanded, planning frame
+  double last_speed_ = 0.0;        // [m/s], commanded to a car
+  double last_curvature_ = 0.0;    // [1/m], the same
 };
 
 }  // namespace pomdp_crowd_nav

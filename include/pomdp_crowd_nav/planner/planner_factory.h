@@ -20,8 +20,14 @@ struct Task {
 // Names that makePlanner knows.
 std::vector<std::string> plannerNames();
 
-// Throws std::invalid_argument for an unknown name (listing the known), a parameter out of range,
-// and a goal that is off the map or inside an obstacle.
+// Whether a planner is made for a kind of vehicle.
+bool drives(const std::string& planner, VehicleKind kind);
+
+// Throws std::invalid_argument unless it is, listing those that are.
+void requireDrives(const std::string& planner, VehicleKind kind);
+
+// Throws std::invalid_argument for an unknown name (listing the known), a planner for another
+// vehicle, a parameter out of range, and a goal that is off the map or inside an obstacle.
 std::unique_ptr<Planner> makePlanner(const std::string& name, const Task& task,
                                      const PlannerParams& params);
 

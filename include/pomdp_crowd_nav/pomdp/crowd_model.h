@@ -59,6 +59,9 @@ class CrowdModel {
 
  private:
   const ActionSet& actionSet(const RobotState& state) const;
+  bool canFollowPrior(const RobotState& state) const;
+  // To the direction of the prior [rad], of a car; cut off at a right angle.
+  float angleToPrior(const RobotState& state) const;
   void prepareMoves(const RobotState& state, const ActionSet& set, ActionMoves& moves) const;
   void addBeyondHorizon(ScenarioOutcome& outcome) const;
   template <int kVias>

@@ -147,6 +147,38 @@ PCN_INLINE Value squareRoot(const Value& x) {
   return load<Value>(roots);
 }
 
+// Polynomial in `u` by Horner's rule, coefficients from the lowest power on.
+template <class Value, int kCount>
+PCN_INLINE Value polynomial(const float (&coefficients)[kCount], const Value& u) {
+  Value sum = spread<Value>(coefficients[kCount - 1]);
+  for (int i = kCount - 2; i >= 0; --i) sum = sum * u + coefficients[i];
+  return sum;
+}
+
+// Of a value in [-1, 1], to 2e-7: interpolates arctan(x) / x in x^2 at the Chebyshev nodes.
+template <class Value>
+PCN_INLINE Value arcTangent(const Value& x) {
+  constexpr float kCoefficients[] = {0.999999882F,  -0.333318127F,  0.199669618F,  -0.140032902F,
+                                     0.0986886546F, -0.0588297531F, 0.0237805186F, -0.00455979199F};
+  return x * polynomial<Value>(kCoefficients, x * x);
+}
+
+// Of an angle in [-pi / 4, pi / 4], to 1e-7; Taylor series.
+template <class Value>
+PCN_INLINE Value cosineOf(const Value& angle) {
+  constexpr float kCoefficients[] = {1.0F, -1.0F / 2.0F, 1.0F / 24.0F, -1.0F / 720.0F,
+                                     1.0F / 40320.0F};
+  return polynomial<Value>(kCoefficients, angle * angle);
+}
+
+// sin(angle) / angle, for the same angles.
+template <class Value>
+PCN_INLINE Value sineOver(const Value& angle) {
+  constexpr float kCoefficients[] = {1.0F, -1.0F / 6.0F, 1.0F / 120.0F, -1.0F / 5040.0F,
+                                     1.0F / 362880.0F};
+  return polynomial<Value>(kCoefficients, angle * angle);
+}
+
 // How many lanes are true.
 PCN_INLINE int countOf(bool mask) { return mask ? 1 : 0; }
 PCN_INLINE int countOf(const Mask4& mask) { return -(mask[0] + mask[1] + mask[2] + mask[3]); }

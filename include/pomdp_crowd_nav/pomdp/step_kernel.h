@@ -45,10 +45,16 @@ struct StepConstants {
   float discount;
   bool has_obstacles;
   bool instant;
+  bool is_car;
+  bool heads_for_goal;              // the prior is the straight line: its direction is exact
+  float max_curvature;              // [1/m], of a car
+  float max_turn;                   // [rad], of a car in a step
+  float max_yaw_rate, max_lateral;  // [rad/s], [m/s^2], of a car
 
   StepConstants(const ModelParams& params, const NavigationField& field);
 
-  bool testsHalfWayOnly() const { return vias == kHalfWay; }
+  // A holonomic base that is tested half way and at the end: the case that has kernels of its own.
+  bool isUsual() const { return !is_car && vias == kHalfWay; }
 };
 
 template <int kVias>
@@ -225,6 +231,99 @@ PCN_INLINE typename MaskOf<Value>::Type hitsObstacle(const StepConstants& c,
   return moves & hits;
 }
 
+// Angle from one direction to another, neither need be of length 1, in [-pi / 2, pi / 2]: larger
+// ones are cut off [rad]. To 2e-7.
+template <class Value>
+PCN_INLINE Value turnAngle(const Value& from_x, const Value& from_y, const Value& to_x,
+                           const Value& to_y) {
+  const Value dot = from_x * to_x + from_y * to_y;
+  const Value cross = from_x * to_y - from_y * to_x;
+  const Value size = squareRoot(dot * dot + cross * cross) + larger(dot, spread<Value>(0.0F));
+  // Tangent of half the angle; of who looks the other way, that of a right angle.
+  const Value tangent = cross / larger(size, spread<Value>(1e-20F));
+  const Value quarter = select(cross < 0.0F, spread<Value>(-1.0F), spread<Value>(1.0F));
+  return 2.0F * arcTangent<Value>(select(dot < 0.0F, quarter, tangent));
+}
+
+// Where an arc leads: a length and half of the change of heading on it [rad].
+template <class Value>
+struct ArcLanes {
+  Value length, half;
+};
+
+// A car that ends the step at `new_speed`, turned to (to_x, to_y) as far as it can. Where it stops
+// at the goal, on the arc that ends there.
+template <class Value>
+PCN_INLINE ArcLanes<Value> arcOf(const StepConstants& c, const RobotLanes<Value>& robot,
+                                 const Value& new_speed, const Value& to_x, const Value& to_y,
+                                 const typename MaskOf<Value>::Type& stops_at_goal) {
+  const Value goal_dx = c.goal_x - robot.x;
+  const Value goal_dy = c.goal_y - robot.y;
+  const Value goal_angle = turnAngle(robot.direction_x, robot.direction_y, goal_dx, goal_dy);
+  Value angle = turnAngle(robot.direction_x, robot.direction_y, to_x, to_y);
+  if (c.heads_for_goal) angle = select(stops_at_goal, goal_angle, angle);
+
+  const Value fastest =
+      larger(c.instant ? new_speed : larger(robot.speed, new_speed), spread<Value>(1e-6F));
+  const Value curvature = smaller(smaller(spread<Value>(c.max_curvature), c.max_yaw_rate / fastest),
+                                  c.max_lateral / (fastest * fastest));
+  const Value max_turn = spread<Value>(c.max_turn);
+  const Value length = c.end_old * robot.speed + c.end_new * new_speed;
+  const Value most = smaller(max_turn, curvature * length);
+  const Value turned = smaller(larger(angle, -most), most);
+
+  const Value goal_sq = goal_dx * goal_dx + goal_dy * goal_dy;
+  const Value goal_length = squareRoot(goal_sq) / sineOver<Value>(goal_angle);
+  const Value goal_turn = 2.0F * larger(goal_angle, -goal_angle);
+  const Value goal_most = smaller(max_turn, curvature * goal_length);
+  const auto stops = stops_at_goal & (goal_length <= length) & (goal_turn <= goal_most);
+  return {select(stops, goal_length, length), select(stops, goal_angle, 0.5F * turned)};
+}
+
+// Moves cars, see moveRobots.
+template <class Value, int kVias>
+PCN_INLINE MoveLanes<Value, kVias> moveCars(const StepConstants& c, const RobotLanes<Value>& robot,
+                                            const Value& new_speed, const ArcLanes<Value>& arc) {
+  // The chord to a share of the arc points that share of `half` away from the heading.
+  const auto go = [&](const Value& share, Value& x, Value& y, Value& cosine, Value& sine) {
+    const Value half = share * arc.half;
+    const Value shortening = sineOver<Value>(half);
+    cosine = cosineOf<Value>(half);
+    sine = half * shortening;
+    const Value chord = share * arc.length * shortening;
+    x = robot.x + chord * (robot.direction_x * cosine - robot.direction_y * sine);
+    y = robot.y + chord * (robot.direction_x * sine + robot.direction_y * cosine);
+  };
+  MoveLanes<Value, kVias> move;
+  Value cosine, sine;
+  go(spread<Value>(1.0F), move.end.x, move.end.y, cosine, sine);
+  const Value end_cosine = 1.0F - 2.0F * sine * sine;
+  const Value end_sine = 2.0F * sine * cosine;
+  move.end.direction_x = robot.direction_x * end_cosine - robot.direction_y * end_sine;
+  move.end.direction_y = robot.direction_x * end_sine + robot.direction_y * end_cosine;
+  move.end.speed = new_speed;
+  const Value length =
+      larger(c.end_old * robot.speed + c.end_new * new_speed, spread<Value>(1e-6F));
+  for (int k = 0; k < viaCount<kVias>(c); ++k) {
+    const Value driven = c.via_old[k] * robot.speed + c.via_new[k] * new_speed;
+    go(c.instant ? spread<Value>(c.share[k]) : driven / length, move.via_x[k], move.via_y[k],
+       cosine, sine);
+  }
+  return move;
+}
+
+// What the map says of a move; who does not move hits nothing.
+template <class Value, int kVias>
+PCN_INLINE void lookAround(const StepConstants& c, const NavigationField& field,
+                           const FieldLanes<Value>& here, const typename MaskOf<Value>::Type& moves,
+                           MoveLanes<Value, kVias>& move) {
+  move.ends_outside = moves & ((move.end.x < c.min_x) | (move.end.x > c.max_x) |
+                               (move.end.y < c.min_y) | (move.end.y > c.max_y));
+  move.field = lookUp(field, move.end.x, move.end.y);
+  move.hits_obstacle =
+      c.has_obstacles ? hitsObstacle(c, field, here, move, moves) : typename MaskOf<Value>::Type{};
+}
+
 // Moves robots to `new_speed` in direction (to_x, to_y). Where `stops_at_goal`, a robot that
 // would pass the goal ends on it. `here` is the field at the start.
 template <class Value, int kVias = kHalfWay>
@@ -233,8 +332,14 @@ PCN_INLINE MoveLanes<Value, kVias> moveRobots(const StepConstants& c, const Navi
                                               const FieldLanes<Value>& here, const Value& new_speed,
                                               Value to_x, Value to_y,
                                               const typename MaskOf<Value>::Type& stops_at_goal) {
-  if (!c.instant) turn(c, robot, to_x, to_y);
   MoveLanes<Value, kVias> move;
+  if (kVias != kHalfWay && c.is_car) {
+    const ArcLanes<Value> arc = arcOf<Value>(c, robot, new_speed, to_x, to_y, stops_at_goal);
+    move = moveCars<Value, kVias>(c, robot, new_speed, arc);
+    lookAround<Value, kVias>(c, field, here, arc.length > 0.0F, move);
+    return move;
+  }
+  if (!c.instant) turn(c, robot, to_x, to_y);
   move.end = {robot.x, robot.y, to_x, to_y, new_speed};
   const Value goal_dx = c.goal_x - robot.x;
   const Value goal_dy = c.goal_y - robot.y;
@@ -252,11 +357,7 @@ PCN_INLINE MoveLanes<Value, kVias> moveRobots(const StepConstants& c, const Navi
   move.end.y += way.end_y;
 
   const auto moves = (way.end_x * way.end_x + way.end_y * way.end_y) > 0.0F;
-  move.ends_outside = moves & ((move.end.x < c.min_x) | (move.end.x > c.max_x) |
-                               (move.end.y < c.min_y) | (move.end.y > c.max_y));
-  move.field = lookUp(field, move.end.x, move.end.y);
-  move.hits_obstacle =
-      c.has_obstacles ? hitsObstacle(c, field, here, move, moves) : typename MaskOf<Value>::Type{};
+  lookAround<Value, kVias>(c, field, here, moves, move);
   return move;
 }
 

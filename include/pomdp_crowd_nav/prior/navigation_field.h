@@ -60,6 +60,7 @@ class NavigationField {
   const Point& goal() const { return goal_; }
   const Bounds& bounds() const { return bounds_; }
   bool hasObstacles() const { return has_obstacles_; }
+  bool isStraightLine() const { return is_straight_line_; }  // see RolloutPrior
 
  private:
   static int clamped(float cell, float last) {
@@ -70,6 +71,7 @@ class NavigationField {
   Bounds bounds_;
   Point goal_;
   bool has_obstacles_;
+  bool is_straight_line_;
   Raster raster_;
   std::vector<PackedDirection> directions_;
   std::vector<float> clearances_;

@@ -21,6 +21,9 @@ class RolloutPrior {
 
   // Length of the path from here to the goal [m]; infinite where there is none.
   virtual double distanceToGoal(const Point& position) const = 0;
+
+  // Whether the direction is that of the goal, everywhere.
+  virtual bool isStraightLine() const { return false; }
 };
 
 }  // namespace pomdp_crowd_nav

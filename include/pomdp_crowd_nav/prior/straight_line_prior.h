@@ -13,6 +13,7 @@ class StraightLinePrior : public RolloutPrior {
   const Point& goal() const override { return goal_; }
   std::optional<double> directionAt(const Pose& pose) const override;
   double distanceToGoal(const Point& position) const override;
+  bool isStraightLine() const override { return true; }
 
  private:
   Point goal_;

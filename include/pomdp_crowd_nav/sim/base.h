@@ -8,7 +8,8 @@
 
 namespace pomdp_crowd_nav {
 
-// A simulated omnidirectional base that follows commands within the limits of its VehicleParams.
+// A simulated base, omnidirectional or a car, that follows commands within the limits of its
+// VehicleParams.
 class SimulatedBase {
  public:
   SimulatedBase(const VehicleParams& params, const Pose& start);
@@ -18,6 +19,10 @@ class SimulatedBase {
   // by brake_deceleration * duration when slowing. The commanded velocity keeps its direction in
   // the planning frame during the call, while the body turns. Speed and yaw rate never exceed their
   // maxima. Non-finite commands count as zero.
+  //
+  // A car follows the forward speed and the curvature of the command, on one arc; it goes neither
+  // sideways nor backwards, nor on a tighter curve than its steering allows. It keeps its curvature
+  // when it is told to stop.
   void follow(const BaseCommand& command, double duration);
 
   void place(const Pose& pose);  // at rest
@@ -27,6 +32,8 @@ class SimulatedBase {
   double yawRate() const { return yaw_rate_; }         // [rad/s]
 
  private:
+  void followCar(double speed, double yaw_rate, double duration);
+  void driveArc(double speed_after, double duration);
   void ramp(const Eigen::Rotation2Dd& body, const Point& target, double yaw_target,
             double duration);
   void move(const Point& mean_velocity, double mean_yaw_rate, double duration);
@@ -35,6 +42,7 @@ class SimulatedBase {
   Pose pose_;
   Point velocity_{0.0, 0.0};
   double yaw_rate_ = 0.0;
+  double curvature_ = 0.0;  // [1/m], of a car's steering
 };
 
 }  // namespace pomdp_crowd_nav

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
+#include <optional>
 #include <vector>
 
 #include "pomdp_crowd_nav/world/geometry.h"
@@ -33,6 +35,10 @@ struct VehicleParams {
   double max_yaw_rate = 1.0;          // [rad/s], of the body
   double yaw_acceleration = 2.0;      // [rad/s^2], of the body
   bool instant_velocity = true;       // true: the limits on acceleration do not hold in a step
+  // Of a car, whose rear axle is its position. Steering takes no time.
+  double wheelbase = 1.0;                 // [m]
+  double max_steering_angle = 0.67;       // [rad]
+  double max_turn_per_step = M_PI / 4.0;  // [rad], change of heading in a step, at most pi / 2
 };
 
 // Throws std::invalid_argument naming the first field that is out of range.
@@ -53,6 +59,13 @@ double maxTurnChord(const VehicleParams& params, double speed, double step);
 
 // Direction of travel after turning from `heading` toward `desired` as far as the chord allows.
 double turnToward(double heading, double desired, double max_chord);
+
+// Curvature of a car's tightest turn [1/m].
+double maxCurvature(const VehicleParams& params);
+
+// Largest change of heading of a car on an arc that takes no longer than a step [rad]; neither of
+// the speeds at its ends [m/s] may ask for more yaw rate or lateral acceleration than there is.
+double maxArcTurn(const VehicleParams& params, double length, double fastest);
 
 // A piece of a path with one curvature.
 struct PathLeg {
@@ -79,16 +92,22 @@ struct StepMotion {
 
   Point velocityAt(double time) const;
   Point positionAt(double time) const;
-  double headingAt(double time) const;  // [rad], of travel; end_heading where there are no legs
+  double headingAt(double time) const;   // [rad], of travel; end_heading where there are no legs
+  double distanceAt(double time) const;  // [m] driven by then, where there are legs
   VehicleState end() const;
-
- private:
-  double distanceAt(double time) const;  // [m] along the legs
 };
 
 // Motion of a base that ends the step at `speed` in direction `heading`; the turn is clamped to
-// what the base can do.
+// what the base can do. A car drives one arc.
 StepMotion stepMotion(const VehicleParams& params, const VehicleState& from, double heading,
                       double speed, double step);
+
+// The arc on which a car gets from its pose to a place; nothing unless that lies ahead of it.
+std::optional<PathLeg> arcTo(const VehicleState& from, const Point& place);
+
+// The same motion, but on the arc to `place`, where it ends, if that is on the way: no farther than
+// the car gets in the step and not too sharp a turn.
+std::optional<StepMotion> stopAt(const VehicleParams& params, const Point& place,
+                                 const VehicleState& from, const StepMotion& motion);
 
 }  // namespace pomdp_crowd_nav
