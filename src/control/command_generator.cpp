@@ -23,6 +23,13 @@ Point cappedTo(const Point& velocity, double max_speed) {
 
 Point finiteOrZero(const Point& p) { return p.allFinite() ? p : Point(0.0, 0.0); }
 
+// What to command at `time` seconds into a motion, until the next command `period` later. A ramp is
+// followed without lag by the velocity to have by then, legs by the mean velocity along them.
+Point velocityFor(const StepMotion& motion, double time, double period) {
+  if (motion.legs.empty() || period <= 0.0) return motion.velocityAt(time + period);
+  return (motion.positionAt(time + period) - motion.positionAt(time)) / period;
+}
+
 }  // namespace
 
 CommandGenerator::CommandGenerator(const Params& params, const VehicleParams& vehicle)
@@ -60,8 +67,7 @@ BaseCommand CommandGenerator::commandAt(double now, double yaw, const Point& vel
     const double slowed = speedAfterBrake(vehicle_, from.norm(), period);
     target = slowed > kRestSpeed ? Point(from.normalized() * slowed) : Point(0.0, 0.0);
   } else {
-    // The velocity to have when the next command comes: a ramp is followed without lag.
-    target = finiteOrZero(motion_->velocityAt(now - start_time_ + period));
+    target = finiteOrZero(velocityFor(*motion_, now - start_time_, period));
     if (target.norm() > kRestSpeed) desired_yaw = std::atan2(target.y(), target.x());
   }
   return limited(target, yaw, desired_yaw, period);
