@@ -90,6 +90,7 @@ void readModel(ParamReader& reader, ModelParams& model) {
 }
 
 void readLimitedSpace(ParamReader& reader, LimitedSpaceParams& limited_space) {
+  reader.read("path/pace", limited_space.pace);
   reader.read("path/time_share", limited_space.time_share);
   reader.read("path/max_expansions", limited_space.max_expansions);
   reader.read("path/pedestrian_noise", limited_space.pedestrian_noise);
@@ -102,7 +103,6 @@ void readLimitedSpace(ParamReader& reader, LimitedSpaceParams& limited_space) {
   reader.read("path/field_radius", path.crowd.field_radius);
   reader.read("path/field_on_way", path.crowd.field_on_way);
   reader.read("path/sure_belief", path.crowd.sure_belief);
-  reader.read("path/pace", path.crowd.pace);
 }
 
 void readPlanning(ParamReader& reader, PlannerParams& planning) {

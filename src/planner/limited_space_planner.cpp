@@ -35,6 +35,8 @@ HybridAstar::Params pathParams(const PlannerParams& params) {
   path.clearance = params.model.obstacleClearance();
   path.goal_tolerance = params.model.goal_tolerance;
   path.crowd.clearance = params.model.pedestrianClearance();
+  const double pace = params.limited_space.pace;
+  path.crowd.pace = pace > 0.0 ? pace : params.model.vehicle.max_speed;
   return path;
 }
 

@@ -9,6 +9,9 @@ namespace pomdp_crowd_nav {
 
 void validate(const LimitedSpaceParams& params) {
   validate(params.path);
+  if (!(params.pace >= 0.0)) {
+    throw std::invalid_argument(fmt::format("path/pace must be at least 0, got {}", params.pace));
+  }
   if (!(params.time_share > 0.0 && params.time_share < 1.0)) {
     throw std::invalid_argument(
         fmt::format("path/time_share must be in (0, 1), got {}", params.time_share));
