@@ -126,6 +126,7 @@ class Trip {
     result_.max_search_time = std::max(result_.max_search_time, decision.wall_time);
     result_.mean_trials += static_cast<double>(decision.search.trials);
     result_.bound_violations += decision.search.bound_violations;
+    if (!decision.has_fresh_path) ++result_.stale_paths;
     return decision;
   }
 

@@ -96,16 +96,18 @@ void runTrials(const std::vector<Trial>& trials, int jobs, const TrialRunner& ru
 std::string csvHeader() {
   return "world,pedestrians,planner,seed,reached,travel_time_s,sudden_brakes,"
          "min_moving_distance_m,unsafe_steps_1m,unsafe_ticks_0_5m,path_length_m,"
-         "mean_search_time_s,max_search_time_s,mean_trials,lower_bound_violations";
+         "mean_search_time_s,max_search_time_s,mean_trials,lower_bound_violations,decisions,stale_"
+         "paths";
 }
 
 std::string csvRow(const Trial& trial, const EpisodeResult& result) {
   const EpisodeMetrics& m = result.metrics;
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{:.6f},{:.6f},{:.1f},{}", trial.world,
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{:.6f},{:.6f},{:.1f},{},{},{}", trial.world,
                      trial.pedestrians, trial.planner, trial.seed, result.reachedGoal() ? 1 : 0,
                      cell(m.travel_time), m.sudden_brakes, cell(m.min_moving_distance),
                      m.unsafe_steps, m.unsafe_ticks, cell(m.path_length), result.mean_search_time,
-                     result.max_search_time, result.mean_trials, result.bound_violations);
+                     result.max_search_time, result.mean_trials, result.bound_violations,
+                     m.decisions, result.stale_paths);
 }
 
 }  // namespace pomdp_crowd_nav

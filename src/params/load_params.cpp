@@ -95,6 +95,22 @@ void readModel(ParamReader& reader, ModelParams& model) {
              "tight", UpperBoundKind::kTight);
 }
 
+void readLimitedSpace(ParamReader& reader, LimitedSpaceParams& limited_space) {
+  reader.read("path/pace", limited_space.pace);
+  reader.read("path/time_share", limited_space.time_share);
+  reader.read("path/max_expansions", limited_space.max_expansions);
+  reader.read("path/pedestrian_noise", limited_space.pedestrian_noise);
+  HybridAstar::Params& path = limited_space.path;
+  reader.read("path/cell", path.cell);
+  reader.read("path/cost_discount", path.cost_discount);
+  reader.read("path/way_weight", path.way_weight);
+  reader.read("path/heading_weight", path.heading_weight);
+  reader.read("path/field_strength", path.crowd.field_strength);
+  reader.read("path/field_radius", path.crowd.field_radius);
+  reader.read("path/field_on_way", path.crowd.field_on_way);
+  reader.read("path/sure_belief", path.crowd.sure_belief);
+}
+
 void readPlanning(ParamReader& reader, PlannerParams& planning) {
   readModel(reader, planning.model);
   reader.read("attended_pedestrians", planning.pedestrians);
@@ -113,6 +129,7 @@ void readPlanning(ParamReader& reader, PlannerParams& planning) {
   reader.read("prior/neighbours", planning.prior.neighbours);
   reader.read("prior/milestone_spacing", planning.prior.milestone_spacing);
   reader.read("prior/seed", planning.prior.seed);
+  readLimitedSpace(reader, planning.limited_space);
 }
 
 void readSafety(ParamReader& reader, NavigationParams& params) {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pomdp_crowd_nav/planner/extended_space_planner.h"
 
-#include <algorithm>
-
 #include "pomdp_crowd_nav/planner/nearby_pedestrians.h"
+#include "pomdp_crowd_nav/planner/tree_view.h"
 
 namespace pomdp_crowd_nav {
 namespace {
@@ -94,32 +93,8 @@ std::vector<VehicleState> ExtendedSpacePlanner::planFrom(const RobotState& state
 }
 
 TreeView ExtendedSpacePlanner::viewTree(int max_edges) const {
-  const auto& tree = search_.tree();
-  const double discount = search_.params().discount;
-  const int scenarios = search_.params().scenarios;
-  TreeView view;
-  for (const ActionNode& node : tree.action_nodes) {
-    if (node.child_count == 0) continue;
-    const BeliefNode& parent = tree.beliefs[node.parent];
-    TreeEdge edge;
-    float lower = 0.0F;
-    int count = 0;
-    for (int c = node.first_child; c < node.first_child + node.child_count; ++c) {
-      lower += tree.beliefs[c].lower;
-      count += tree.beliefs[c].scenario_count;
-    }
-    const BeliefNode& child = tree.beliefs[node.first_child];
-    edge.from = tree.states[parent.first_state].vehicle().position;
-    edge.to = tree.states[child.first_state].vehicle().position;
-    edge.weight = static_cast<float>(count) / static_cast<float>(scenarios);
-    edge.depth = child.depth;
-    edge.value = lower / edge.weight / static_cast<float>(std::pow(discount, edge.depth));
-    view.edges.push_back(edge);
-  }
-  // A parent weighs at least as much as its child and comes first, so the cut leaves one tree.
-  std::stable_sort(view.edges.begin(), view.edges.end(),
-                   [](const TreeEdge& a, const TreeEdge& b) { return a.weight > b.weight; });
-  if (static_cast<int>(view.edges.size()) > max_edges) view.edges.resize(std::max(0, max_edges));
+  TreeView view = viewOf(search_.tree(), search_.params(), max_edges,
+                         [](const RobotState& state) { return state.vehicle().position; });
   for (const TreeEdge& edge : view.edges) {
     if (edge.depth == 1) view.rollouts.push_back(globalPath(edge.to));
   }

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "pomdp_crowd_nav/planner/extended_space_planner.h"
+#include "pomdp_crowd_nav/planner/limited_space_planner.h"
 
 namespace pomdp_crowd_nav {
 namespace {
@@ -20,6 +21,10 @@ std::unique_ptr<Planner> makeExtendedSpace(const char* prior, const Task& task,
   prior_params.clearance = params.model.obstacleClearance();
   return std::make_unique<ExtendedSpacePlanner>(
       task, makePrior(prior, task.map, task.goal, prior_params), params);
+}
+
+std::unique_ptr<Planner> makeLimitedSpace(const Task& task, const PlannerParams& params) {
+  return std::make_unique<LimitedSpacePlanner>(task, params);
 }
 
 struct Entry {
@@ -47,6 +52,7 @@ const Entry kPlanners[] = {
      [](const Task& task, const PlannerParams& params) {
        return makeExtendedSpace("straight_line", task, params);
      }},
+    {"1d_astar", makeLimitedSpace},
 };
 
 }  // namespace

@@ -32,6 +32,7 @@ struct EpisodeResult {
   double max_search_time = 0.0;   // [s]
   double mean_trials = 0.0;
   long bound_violations = 0;
+  int stale_paths = 0;  // decisions without a fresh path
 
   bool reachedGoal() const { return end == EpisodeEnd::kGoalReached; }
 };

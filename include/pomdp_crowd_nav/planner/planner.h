@@ -7,11 +7,22 @@
 #include "pomdp_crowd_nav/belief/belief_tracker.h"
 #include "pomdp_crowd_nav/despot/search_params.h"
 #include "pomdp_crowd_nav/despot/search_result.h"
+#include "pomdp_crowd_nav/path/hybrid_astar.h"
 #include "pomdp_crowd_nav/pomdp/action.h"
 #include "pomdp_crowd_nav/pomdp/model_params.h"
 #include "pomdp_crowd_nav/prior/prior_factory.h"
 
 namespace pomdp_crowd_nav {
+
+// What the planner of speed along a path needs beside the model.
+struct LimitedSpaceParams {
+  // Vehicle, distances, tolerance and pace are taken from the model and from here.
+  HybridAstar::Params path;
+  double pace = 0.0;               // [m/s], at which people are predicted for the path; 0: v_max
+  double time_share = 0.3;         // of a decision's time, for the path
+  int max_expansions = 100000;     // of a path search in a decision without a deadline
+  double pedestrian_noise = 0.05;  // [m], half width of the noise on a step of 1 s, in the search
+};
 
 // What every planner may need; each takes its part.
 struct PlannerParams {
@@ -19,13 +30,15 @@ struct PlannerParams {
   // Depth and discount are taken from the model.
   SearchParams search;
   PriorParams prior;
+  LimitedSpaceParams limited_space;
   int pedestrians = 6;               // n_ped, people whose future is searched
   double attention_angle = M_PI;     // [rad], half angle of the cone around the direction of travel
   double attention_lookahead = 1.0;  // [s], see AttentionParams
   std::uint64_t seed = 1;            // of the sampled futures
 };
 
-// Throws std::invalid_argument naming the first field that is out of range.
+// Throw std::invalid_argument naming the first field that is out of range.
+void validate(const LimitedSpaceParams& params);
 void validate(const PlannerParams& params);
 
 // The world at the moment a decision takes effect.
@@ -40,6 +53,8 @@ struct Decision {
   std::vector<VehicleState> plan;      // states at the steps of the planned branch, from the start
   std::vector<std::int64_t> attended;  // ids of the people whose futures were searched
   SearchStatistics search;
+  bool has_fresh_path = true;  // false: drives on along an older one, or rests for want of any
+  long path_expansions = 0;
   double wall_time = 0.0;  // [s], of the whole decision
 };
 
