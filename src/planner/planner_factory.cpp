@@ -27,32 +27,34 @@ std::unique_ptr<Planner> makeLimitedSpace(const Task& task, const PlannerParams&
   return std::make_unique<LimitedSpacePlanner>(task, params);
 }
 
+enum class Drives { kHolonomic, kCar, kBoth };
+
 struct Entry {
   const char* name;
-  VehicleKind vehicle;
+  Drives vehicles;
   Maker make;
 };
 
 const char* nameOf(VehicleKind kind) { return kind == VehicleKind::kCar ? "car" : "holonomic"; }
 
 const Entry kPlanners[] = {
-    {"2d_fmm", VehicleKind::kHolonomic,
+    {"2d_fmm", Drives::kHolonomic,
      [](const Task& task, const PlannerParams& params) {
        return makeExtendedSpace("fast_marching", task, params);
      }},
-    {"2d_prm", VehicleKind::kHolonomic,
+    {"2d_prm", Drives::kHolonomic,
      [](const Task& task, const PlannerParams& params) {
        return makeExtendedSpace("roadmap", task, params);
      }},
-    {"2d_straight", VehicleKind::kHolonomic,
+    {"2d_straight", Drives::kHolonomic,
      [](const Task& task, const PlannerParams& params) {
        return makeExtendedSpace("straight_line", task, params);
      }},
-    {"2d_nhv", VehicleKind::kCar,
+    {"2d_nhv", Drives::kCar,
      [](const Task& task, const PlannerParams& params) {
        return makeExtendedSpace("straight_line", task, params);
      }},
-    {"1d_astar", makeLimitedSpace},
+    {"1d_astar", Drives::kBoth, makeLimitedSpace},
 };
 
 }  // namespace
@@ -65,7 +67,9 @@ std::vector<std::string> plannerNames() {
 
 bool drives(const std::string& planner, VehicleKind kind) {
   for (const Entry& entry : kPlanners) {
-    if (planner == entry.name) return entry.vehicle == kind;
+    if (planner != entry.name) continue;
+    const Drives alone = kind == VehicleKind::kCar ? Drives::kCar : Drives::kHolonomic;
+    return entry.vehicles == Drives::kBoth || entry.vehicles == alone;
   }
   return false;
 }
