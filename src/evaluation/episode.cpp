@@ -27,8 +27,8 @@ class Trip {
         travel_heading_(world.start.heading) {
     PlannerParams planning = params.navigation.planning;
     planning.seed = params.seed;
-    planner_ =
-        makePlanner(params.navigation.planner, {map_, world.goal, world.destinations}, planning);
+    planner_ = makePlanner(params.navigation.planner,
+                           {map_, world.goal, world.destinations, params.tables.get()}, planning);
   }
 
   EpisodeResult run(const std::function<void(const EpisodeMoment&)>& observer) {

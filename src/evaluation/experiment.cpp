@@ -13,25 +13,20 @@
 namespace pomdp_crowd_nav {
 namespace {
 
-// Hands out trials to workers and their results to the sink, in order.
+// Hands out trials to workers and their results to the sink.
 class Queue {
  public:
-  Queue(const std::vector<Trial>& trials, const ResultSink& sink)
-      : trials_(trials), sink_(sink), results_(trials.size()) {}
+  Queue(size_t size, const ResultSink& sink) : size_(size), sink_(sink) {}
 
   std::optional<size_t> next() {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (failure_ || next_ == trials_.size()) return std::nullopt;
+    if (failure_ || next_ == size_) return std::nullopt;
     return next_++;
   }
 
-  void deliver(size_t index, EpisodeResult result) {
+  void deliver(size_t index, const EpisodeResult& result) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    results_[index] = std::move(result);
-    while (delivered_ < trials_.size() && results_[delivered_]) {
-      sink_(trials_[delivered_], *results_[delivered_]);
-      results_[delivered_++].reset();
-    }
+    sink_(index, result);
   }
 
   void fail(std::exception_ptr failure) {
@@ -44,12 +39,10 @@ class Queue {
   }
 
  private:
-  const std::vector<Trial>& trials_;
+  size_t size_;
   const ResultSink& sink_;
   std::mutex mutex_;
-  std::vector<std::optional<EpisodeResult>> results_;
   size_t next_ = 0;
-  size_t delivered_ = 0;
   std::exception_ptr failure_;
 };
 
@@ -84,7 +77,7 @@ std::vector<Trial> ExperimentPlan::trials() const {
 
 void runTrials(const std::vector<Trial>& trials, int jobs, const TrialRunner& runner,
                const ResultSink& sink) {
-  Queue queue(trials, sink);
+  Queue queue(trials.size(), sink);
   std::vector<std::thread> workers;
   for (int i = 0; i < std::max(1, jobs); ++i) {
     workers.emplace_back([&] { work(queue, trials, runner); });
@@ -102,12 +95,32 @@ std::string csvHeader() {
 
 std::string csvRow(const Trial& trial, const EpisodeResult& result) {
   const EpisodeMetrics& m = result.metrics;
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{:.6f},{:.6f},{:.1f},{},{},{}", trial.world,
-                     trial.pedestrians, trial.planner, trial.seed, result.reachedGoal() ? 1 : 0,
-                     cell(m.travel_time), m.sudden_brakes, cell(m.min_moving_distance),
-                     m.unsafe_steps, m.unsafe_ticks, cell(m.path_length), result.mean_search_time,
-                     result.max_search_time, result.mean_trials, result.bound_violations,
-                     m.decisions, result.stale_paths);
+  return fmt::format("{}{},{},{},{},{},{},{},{:.6f},{:.6f},{:.1f},{},{},{}", trialCells(trial),
+                     result.reachedGoal() ? 1 : 0, cell(m.travel_time), m.sudden_brakes,
+                     cell(m.min_moving_distance), m.unsafe_steps, m.unsafe_ticks,
+                     cell(m.path_length), result.mean_search_time, result.max_search_time,
+                     result.mean_trials, result.bound_violations);
+}
+
+std::string trailHeader() { return "world,pedestrians,planner,seed,time_s,x_m,y_m"; }
+
+std::string trailRows(const Trial& trial, const Point& start, double step,
+                      const EpisodeResult& result) {
+  const std::string cells = trialCells(trial);
+  std::string rows;
+  const auto add = [&](double time, const Point& place) {
+    rows += fmt::format("{}{:.2f},{:.2f},{:.2f}\n", cells, time, place.x(), place.y());
+  };
+  add(0.0, start);
+  const size_t ticks = std::max<long>(1, std::lround(step / Crowd::kTick));
+  for (size_t i = ticks; i <= result.trail.size(); i += ticks) {
+    add(static_cast<double>(i) * Crowd::kTick, result.trail[i - 1]);
+  }
+  return rows;
+}
+
+std::string trialCells(const Trial& trial) {
+  return fmt::format("{},{},{},{},", trial.world, trial.pedestrians, trial.planner, trial.seed);
 }
 
 }  // namespace pomdp_crowd_nav

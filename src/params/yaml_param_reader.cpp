@@ -79,6 +79,28 @@ YamlParamReader YamlParamReader::fromText(const std::string& text, const std::st
   return reader;
 }
 
+void YamlParamReader::replace(const std::string& assignment) {
+  const size_t sign = assignment.find('=');
+  if (sign == std::string::npos || sign == 0 || sign + 1 == assignment.size()) {
+    throw std::runtime_error(fmt::format("expected KEY=VALUE, got '{}'", assignment));
+  }
+  const std::string key = assignment.substr(0, sign);
+  source_ += fmt::format(" with {}", assignment);
+  try {
+    const YAML::Node value = YAML::Load(assignment.substr(sign + 1));
+    leaves_.erase(key);
+    addLeaves(key, value);
+  } catch (const YAML::Exception& error) {
+    throw std::runtime_error(fmt::format("{}: {}", source_, error.msg));
+  }
+}
+
+std::map<std::string, std::string> YamlParamReader::texts() const {
+  std::map<std::string, std::string> texts;
+  for (const auto& [key, node] : leaves_) texts[key] = toText(node);
+  return texts;
+}
+
 void YamlParamReader::addMap(const std::string& prefix, const YAML::Node& node) {
   for (const auto& entry : node) {
     if (!entry.first.IsScalar()) failAt(entry.first.Mark(), "a key must be a word");

@@ -20,16 +20,16 @@ constexpr size_t kMaxPathPoints = 8000;
 }  // namespace
 
 ExtendedSpacePlanner::ExtendedSpacePlanner(const Task& task,
-                                           std::shared_ptr<const RolloutPrior> prior,
+                                           std::shared_ptr<const NavigationTables> tables,
                                            const PlannerParams& params)
     : params_(params),
       bounds_(task.map.bounds()),
       destinations_(task.destinations),
-      prior_(std::move(prior)),
-      field_(*prior_, task.map, params.prior.resolution),
-      shortest_way_(makeShortestWay(params.model, field_, task.map)),
+      tables_(std::move(tables)),
+      field_(tables_->field),
       pedestrian_model_({params.model.pedestrian_noise * params.model.step}),
-      model_(params.model, {field_, shortest_way_ ? &*shortest_way_ : nullptr}, futures_),
+      model_(params.model, {field_, tables_->shortest_way ? &*tables_->shortest_way : nullptr},
+             futures_),
       search_(searchParams(params)) {}
 
 Decision ExtendedSpacePlanner::decide(const Situation& situation, const SearchLimit& limit) {

@@ -19,8 +19,13 @@ std::unique_ptr<Planner> makeExtendedSpace(const char* prior, const Task& task,
                                            const PlannerParams& params) {
   PriorParams prior_params = params.prior;
   prior_params.clearance = params.model.obstacleClearance();
+  const auto make = [&] {
+    return std::make_shared<const NavigationTables>(
+        makePrior(prior, task.map, task.goal, prior_params), task.map, params.model,
+        prior_params.resolution);
+  };
   return std::make_unique<ExtendedSpacePlanner>(
-      task, makePrior(prior, task.map, task.goal, prior_params), params);
+      task, task.shared_tables ? task.shared_tables->of(prior, make) : make(), params);
 }
 
 std::unique_ptr<Planner> makeLimitedSpace(const Task& task, const PlannerParams& params) {

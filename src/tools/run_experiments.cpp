@@ -3,17 +3,19 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <cerrno>
-#include <chrono>
-#include <cstdio>
-#include <cstring>
+#include <algorithm>
 #include <map>
+#include <memory>
+#include <thread>
 
 #include "config_files.h"
+#include "interruption.h"
 #include "option_checks.h"
 #include "pomdp_crowd_nav/evaluation/experiment.h"
+#include "pomdp_crowd_nav/evaluation/experiment_log.h"
 #include "pomdp_crowd_nav/params/yaml_param_reader.h"
 #include "pomdp_crowd_nav/planner/planner_factory.h"
+#include "progress.h"
 
 using namespace pomdp_crowd_nav;
 
@@ -24,8 +26,11 @@ struct Options {
   std::string config = findConfigFolder();
   std::string profile;  // empty: as simulation.launch chooses it
   std::string output;
+  std::string trails;
   std::string tracks;
-  int jobs = 1;
+  std::vector<std::string> replaced;  // KEY=VALUE
+  bool resume = false;
+  int jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   double search_time = 0.0;
   long max_trials = 200;
 };
@@ -46,9 +51,8 @@ void addOptions(CLI::App& app, Options& options) {
   app.add_option("--seed", options.plan.first_seed, "Seed of the first run; the others follow")
       ->check(wholeNumber(0, 4294967295))
       ->capture_default_str();
-  app.add_option("--jobs", options.jobs, "Episodes run at once")
-      ->check(wholeNumber(1, 256))
-      ->capture_default_str();
+  app.add_option("--jobs", options.jobs, "Episodes run at once; without it one on each core")
+      ->check(wholeNumber(1, 256));
   auto* time = app.add_option("--search-time", options.search_time,
                               "Wall clock for each decision [s] (not reproducible to the bit)")
                    ->check(positiveNumber());
@@ -63,7 +67,16 @@ void addOptions(CLI::App& app, Options& options) {
       ->capture_default_str();
   app.add_option("--tracks", options.tracks, "CSV of recorded people, who replace the worlds' own")
       ->needs(worlds);
-  app.add_option("--output", options.output, "CSV to write; standard output without it");
+  app.add_option("--set", options.replaced,
+                 "KEY=VALUE of the profile, instead of what it says, such as "
+                 "search/scenarios=50")
+      ->expected(1, 1000);
+  auto* output =
+      app.add_option("--output", options.output, "CSV to write; standard output without it");
+  app.add_option("--trails", options.trails, "CSV to write: where the robot was at each step")
+      ->needs(output);
+  app.add_flag("--resume", options.resume, "Goes on with --output where an earlier run ended")
+      ->needs(output);
 }
 
 // A world with the vehicle and the tuning for it.
@@ -72,8 +85,19 @@ struct Setup {
   EpisodeParams params;
 };
 
-EpisodeParams loadEpisodeParams(const Options& options, const std::string& profile) {
+YamlParamReader openProfile(const Options& options, const std::string& profile) {
   auto reader = YamlParamReader::fromFile(configFile(options.config, "profiles", profile));
+  for (const std::string& assignment : options.replaced) {
+    if (assignment.rfind("planner=", 0) == 0) {
+      throw std::runtime_error(
+          fmt::format("--set: got '{}', planners are named by --planners", assignment));
+    }
+    reader.replace(assignment);
+  }
+  return reader;
+}
+
+EpisodeParams loadEpisodeParams(const Options& options, YamlParamReader& reader) {
   EpisodeParams params;
   params.navigation = loadNavigationParams(reader);
   params.simulator = loadSimulatorParams(reader, params.navigation.planning.model.vehicle);
@@ -93,74 +117,115 @@ EpisodeParams paramsOf(const Trial& trial, EpisodeParams params) {
   return params;
 }
 
+ExperimentSettings::WorldSettings settingsOf(const std::string& profile, const Setup& setup,
+                                             const YamlParamReader& reader,
+                                             const std::string& world_file) {
+  const VehicleKind kind = setup.params.navigation.planning.model.vehicle.kind;
+  return {profile, kind == VehicleKind::kCar ? "car" : "holonomic", reader.texts(),
+          YamlParamReader::fromFile(world_file).texts()};
+}
+
 // Everything that can be wrong shows here, before the first result is due.
-std::map<std::string, Setup> loadSetups(const Options& options) {
+std::map<std::string, Setup> loadSetups(const Options& options, ExperimentSettings& settings) {
   std::map<std::string, Setup> setups;
   for (const std::string& name : options.plan.worlds) {
     const std::string profile = options.profile.empty() ? profileFor(name) : options.profile;
-    const EpisodeParams params = loadEpisodeParams(options, profile);
-    World world = loadWorld(configFile(options.config, "worlds", name));
-    if (!options.tracks.empty()) world.tracks_file = options.tracks;
+    YamlParamReader reader = openProfile(options, profile);
+    const std::string world_file = configFile(options.config, "worlds", name);
+    Setup setup{loadWorld(world_file), loadEpisodeParams(options, reader)};
+    if (!options.tracks.empty()) setup.world.tracks_file = options.tracks;
+    setup.params.tables = std::make_shared<SharedTables>();
     for (const std::string& planner : options.plan.planners) {
-      requireDrivable(world, paramsOf({name, options.plan.pedestrians[0], planner}, params));
+      requireDrivable(setup.world,
+                      paramsOf({name, options.plan.pedestrians[0], planner}, setup.params));
     }
     if (options.profile.empty() && profile != "paper") {
       fmt::print(stderr, "{}: with the profile {}\n", name, profile);
     }
-    setups[name] = {world, params};
+    settings.worlds[name] = settingsOf(profile, setup, reader, world_file);
+    setups.emplace(name, std::move(setup));
   }
   return setups;
 }
 
-// Results that are there already are never overwritten.
-std::FILE* openOutput(const std::string& path) {
-  if (path.empty()) return stdout;
-  std::FILE* file = std::fopen(path.c_str(), "wx");
-  if (file != nullptr) return file;
-  throw std::runtime_error(fmt::format("--output: cannot write '{}': {}", path,
-                                       errno == EEXIST ? "it exists" : std::strerror(errno)));
+template <typename T>
+void requireDifferent(const char* option, std::vector<T> values) {
+  std::sort(values.begin(), values.end());
+  const auto twice = std::adjacent_find(values.begin(), values.end());
+  if (twice == values.end()) return;
+  throw std::runtime_error(fmt::format("{}: {} is named twice", option, *twice));
 }
 
-// Progress and time left, on standard error.
-class Progress {
- public:
-  explicit Progress(size_t total) : total_(total) {}
-
-  void show(size_t done) const {
-    const double elapsed =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    const double left = elapsed / static_cast<double>(done) * static_cast<double>(total_ - done);
-    fmt::print(stderr, "\r{}/{} episodes, {:.0f} s left   {}", done, total_, left,
-               done == total_ ? "\n" : "");
-    std::fflush(stderr);
+void requireDistinctTrials(const ExperimentPlan& plan) {
+  requireDifferent("--worlds", plan.worlds);
+  requireDifferent("--pedestrians", plan.pedestrians);
+  requireDifferent("--planners", plan.planners);
+  for (const std::string& world : plan.worlds) {
+    if (world.find_first_of(",\"\n\r") == std::string::npos) continue;
+    throw std::runtime_error(
+        fmt::format("--worlds: '{}' has a character that a CSV file cannot hold", world));
   }
+}
 
- private:
-  size_t total_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
+// Another result than that of the same episode run to its end does not come out of it.
+EpisodeResult runUnlessInterrupted(const Setup& setup, const Trial& trial) {
+  Interruption::throwIfReceived();
+  return runEpisode(setup.world, paramsOf(trial, setup.params),
+                    [](const EpisodeMoment&) { Interruption::throwIfReceived(); });
+}
+
+void announceInterruption(const Options& options, const ExperimentLog& log, size_t total) {
+  fmt::print(stderr, "run_experiments: interrupted after {} of {} episodes{}\n", log.count(), total,
+             options.output.empty()
+                 ? ""
+                 : "; the same command with --resume goes on in " + options.output);
+}
 
 void run(const Options& options) {
-  const std::map<std::string, Setup> setups = loadSetups(options);
+  requireDistinctTrials(options.plan);
+  ExperimentSettings settings{
+      options.plan,        options.search_time > 0.0 ? 0 : options.max_trials,
+      options.search_time, options.tracks,
+      options.replaced,    {}};
+  const std::map<std::string, Setup> setups = loadSetups(options, settings);
   const std::vector<Trial> trials = options.plan.trials();
-  std::FILE* out = openOutput(options.output);
-  fmt::print(out, "{}\n", csvHeader());
-  const bool shows_rows = out == stdout && isatty(STDOUT_FILENO) == 1;
-  const Progress progress(trials.size());
-  size_t done = 0;
-  runTrials(
-      trials, options.jobs,
-      [&](const Trial& trial) {
-        const Setup& setup = setups.at(trial.world);
-        return runEpisode(setup.world, paramsOf(trial, setup.params));
-      },
-      [&](const Trial& trial, const EpisodeResult& result) {
-        fmt::print(out, "{}\n", csvRow(trial, result));
-        std::fflush(out);
-        ++done;
-        if (!shows_rows) progress.show(done);
-      });
-  if (out != stdout) std::fclose(out);
+  ExperimentLog log({options.output, options.trails, options.resume}, trials, settings);
+  std::vector<size_t> indices;  // of the trials to run
+  std::vector<Trial> missing;
+  for (size_t i = 0; i < trials.size(); ++i) {
+    if (log.has(i)) continue;
+    indices.push_back(i);
+    missing.push_back(trials[i]);
+  }
+  if (log.hasDroppedLine()) {
+    fmt::print(stderr, "{}: dropped an incomplete line at its end\n", options.output);
+  }
+  if (log.count() > 0) {
+    fmt::print(stderr, "{}: {} of {} episodes are there\n", options.output, log.count(),
+               trials.size());
+  }
+  const bool shows_rows = options.output.empty() && isatty(STDOUT_FILENO) == 1;
+  Progress progress(log.count(), trials.size(), "episodes");
+  Interruption::listen();
+  try {
+    runTrials(
+        missing, options.jobs,
+        [&](const Trial& trial) { return runUnlessInterrupted(setups.at(trial.world), trial); },
+        [&](size_t i, const EpisodeResult& result) {
+          const Setup& setup = setups.at(missing[i].world);
+          log.add(indices[i], csvRow(missing[i], result),
+                  trailRows(missing[i], setup.world.start.position,
+                            setup.params.navigation.planning.model.step, result));
+          if (!shows_rows) progress.show(log.count());
+        });
+  } catch (const Interruption::Signal&) {
+    progress.endLine();
+    announceInterruption(options, log, trials.size());
+    throw;
+  } catch (...) {
+    progress.endLine();
+    throw;
+  }
 }
 
 }  // namespace
@@ -174,6 +239,8 @@ int main(int argc, char** argv) {
     run(options);
   } catch (const CLI::CallForHelp& help) {
     return app.exit(help);
+  } catch (const Interruption::Signal& signal) {
+    return signal.exitStatus();
   } catch (const std::exception& error) {
     fmt::print(stderr, "run_experiments: {}\n", error.what());
     return 2;

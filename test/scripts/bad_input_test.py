@@ -6,8 +6,10 @@ Run by rostest, which starts the master that the nodes need.
 """
 import os
 import pathlib
+import signal
 import subprocess
 import tempfile
+import time
 import unittest
 
 import rosgraph
@@ -168,6 +170,93 @@ polygons:
 
     def test_help_is_no_error(self):
         self.assertEqual(self.run_program("run_experiments", "--help").returncode, 0)
+
+    def test_keys_that_are_set(self):
+        self.expect(["--set", "saerch/scenarios=5"], "saerch/scenarios", "search/scenarios")
+        self.expect(["--set", "search/scenarios=many"], "search/scenarios", "'many'")
+        self.expect(["--set", "search/scenarios=0"], "scenarios", "0")
+        self.expect(["--set", "search/scenarios"], "KEY=VALUE")
+        self.expect(["--set", "planner=2d_fmm"], "--planners")
+
+    def test_combinations_that_are_named_twice(self):
+        self.expect(["--pedestrians", "5", "5"], "--pedestrians: 5 is named twice")
+        self.expect(["--worlds", "scenario_1", "scenario_1"], "--worlds", "twice")
+
+    def test_files_that_cannot_be_resumed(self):
+        self.expect(["--resume"], "--output")
+        self.expect(["--trails", "t.csv"], "--output")
+        path = self.write("old.csv", "world,seed\nscenario_1,1\n")
+        self.expect(["--output", path], "old.csv", "--resume")
+        self.expect(["--output", path, "--resume"], "old.csv.settings.json")
+
+    def options(self, output, *more):
+        return ["--config", f"{SHARE}/config", "--pedestrians", "20", "--runs", "6",
+                "--max-trials", "3", "--output", output, *more]
+
+    @staticmethod
+    def timeless(text):
+        """Rows without the times that the search took."""
+        return [row.split(",")[:11] + row.split(",")[13:] for row in text.splitlines()]
+
+    def test_killed_and_resumed_it_writes_the_same(self):
+        self.run_program("run_experiments", *self.options("whole.csv", "--trails", "whole_t.csv"))
+        whole = (self.folder / "whole.csv").read_text()
+        program = roslib.packages.find_node(PACKAGE, "run_experiments")[0]
+        options = self.options("killed.csv", "--trails", "killed_t.csv", "--resume")
+        for wait in (0.6, 0.9, 1.2):
+            run = subprocess.Popen([program, *options], cwd=self.folder, stdin=subprocess.DEVNULL,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            time.sleep(wait)
+            run.kill()
+            run.wait()
+        result = self.run_program("run_experiments", *options)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(self.timeless((self.folder / "killed.csv").read_text()),
+                         self.timeless(whole))
+        self.assertEqual((self.folder / "killed_t.csv").read_text(),
+                         (self.folder / "whole_t.csv").read_text())
+        self.assertEqual(sorted(path.name for path in self.folder.glob("*.ahead")), [])
+        self.expect([*options[2:], "--set", "search/scenarios=50"], "search/scenarios",
+                    '"100"', '"50"')
+
+    def test_interrupted_it_says_how_to_go_on(self):
+        program = roslib.packages.find_node(PACKAGE, "run_experiments")[0]
+        for number, status in ((signal.SIGINT, 130), (signal.SIGTERM, 143)):
+            options = self.options(f"{status}.csv")
+            options[options.index("6")] = "500"
+            run = subprocess.Popen([program, *options], cwd=self.folder,
+                                   stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.PIPE, text=True)
+            time.sleep(2.0)
+            run.send_signal(number)
+            shown = run.communicate(timeout=30)[1]
+            self.assertEqual(run.returncode, status, shown)
+            self.assertRegex(shown, r"interrupted after \d+ of 500 episodes; .*--resume")
+
+
+class ReportExperimentsTest(BadInputTest):
+    def expect(self, args, *words):
+        self.expect_refusal("report_experiments",
+                            ["--paper", f"{SHARE}/config/paper_results.yaml", *args], *words)
+
+    def test_nothing_to_report(self):
+        self.expect([], "results")
+        self.expect(["nowhere.csv"], "nowhere.csv")
+
+    def test_file_of_something_else(self):
+        self.expect([self.write("tracks.csv", TRACKS_HEADER)], "tracks.csv:2", "row")
+        self.expect([self.write("tracks.csv", TRACKS_HEADER + "0,1,2,3\n")], "tracks.csv:1",
+                    "'world'")
+
+    def test_paper_that_is_none(self):
+        self.run_program("run_experiments", "--config", f"{SHARE}/config", "--pedestrians", "0",
+                         "--max-trials", "1", "--output", "results.csv")
+        result = self.run_program("report_experiments", "results.csv")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("1 of 1 episodes arrived", result.stdout)
+        self.expect_refusal("report_experiments",
+                            ["results.csv", "--paper", self.write("p.yaml", "a: {b: [[1, 2]]}\n")],
+                            "p.yaml", "a/b")
 
 
 class RunReplayTasksTest(BadInputTest):

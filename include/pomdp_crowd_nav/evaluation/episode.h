@@ -2,11 +2,13 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "pomdp_crowd_nav/evaluation/metrics.h"
 #include "pomdp_crowd_nav/params/load_params.h"
+#include "pomdp_crowd_nav/planner/navigation_tables.h"
 #include "pomdp_crowd_nav/planner/planner.h"
 #include "pomdp_crowd_nav/sim/simulator.h"
 
@@ -18,6 +20,8 @@ struct EpisodeParams {
   std::uint64_t seed = 1;     // of the crowd and the sampled futures
   long max_trials = 200;      // per decision; 0: none, the clock decides (search_time)
   double time_limit = 300.0;  // [s]
+  // Of all episodes in this world with these navigation parameters; none: each makes its own.
+  std::shared_ptr<SharedTables> tables;
 };
 
 enum class EpisodeEnd { kGoalReached, kTimeLimit, kLeftField, kHitObstacle };

@@ -31,17 +31,26 @@ struct ExperimentPlan {
 
 // Runs one trial to its end; called from several threads at once.
 using TrialRunner = std::function<EpisodeResult(const Trial&)>;
-// Receives every result in the order of the trials, whatever order they end in; never called from
-// two threads at once.
-using ResultSink = std::function<void(const Trial&, const EpisodeResult&)>;
+// Receives every result as soon as it is there, with the index of its trial; never called from two
+// threads at once.
+using ResultSink = std::function<void(size_t, const EpisodeResult&)>;
 
-// Runs the trials on `jobs` threads. An exception of a runner stops the experiment and is thrown
-// on; results that came before it have been delivered.
+// Runs the trials on `jobs` threads, in order. An exception of a runner or the sink stops the
+// experiment and is thrown on; results that came before it have been delivered.
 void runTrials(const std::vector<Trial>& trials, int jobs, const TrialRunner& runner,
                const ResultSink& sink);
 
 // The columns of a results file, and a row of it (README, section Tools).
 std::string csvHeader();
 std::string csvRow(const Trial& trial, const EpisodeResult& result);
+
+// The columns of a trails file, and its lines for one episode: where the robot was at the start,
+// after each step and at the end.
+std::string trailHeader();
+std::string trailRows(const Trial& trial, const Point& start, double step,
+                      const EpisodeResult& result);
+
+// The cells that tell a trial from the others and begin each of its rows, with their last comma.
+std::string trialCells(const Trial& trial);
 
 }  // namespace pomdp_crowd_nav

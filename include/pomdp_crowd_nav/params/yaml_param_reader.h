@@ -22,6 +22,13 @@ class YamlParamReader : public ParamReader {
   static YamlParamReader fromFile(const std::string& path);
   static YamlParamReader fromText(const std::string& text, const std::string& source);
 
+  // Puts a value, spelt as in yaml, in the place of what the document says of a key. Throws
+  // std::runtime_error unless the text is "key=value". From now on messages name the text too.
+  void replace(const std::string& assignment);
+
+  // The value of every key on one line, to be compared with another document's.
+  std::map<std::string, std::string> texts() const;
+
  protected:
   bool get(const std::string& key, double& value) const override;
   bool get(const std::string& key, int& value) const override;

@@ -2,14 +2,12 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 
 #include "pomdp_crowd_nav/despot/search.h"
+#include "pomdp_crowd_nav/planner/navigation_tables.h"
 #include "pomdp_crowd_nav/planner/planner.h"
 #include "pomdp_crowd_nav/planner/planner_factory.h"
 #include "pomdp_crowd_nav/pomdp/crowd_model.h"
-#include "pomdp_crowd_nav/prior/navigation_field.h"
-#include "pomdp_crowd_nav/prior/shortest_way.h"
 
 namespace pomdp_crowd_nav {
 
@@ -17,7 +15,7 @@ namespace pomdp_crowd_nav {
 // 2D-FMM and 2D-PRM are this class with different priors.
 class ExtendedSpacePlanner : public Planner {
  public:
-  ExtendedSpacePlanner(const Task& task, std::shared_ptr<const RolloutPrior> prior,
+  ExtendedSpacePlanner(const Task& task, std::shared_ptr<const NavigationTables> tables,
                        const PlannerParams& params);
 
   Decision decide(const Situation& situation, const SearchLimit& limit) override;
@@ -32,9 +30,8 @@ class ExtendedSpacePlanner : public Planner {
   PlannerParams params_;
   Bounds bounds_;
   std::vector<Point> destinations_;
-  std::shared_ptr<const RolloutPrior> prior_;
-  NavigationField field_;
-  std::optional<ShortestWay> shortest_way_;
+  std::shared_ptr<const NavigationTables> tables_;
+  const NavigationField& field_;
   StraightLinePedestrian pedestrian_model_;
   CrowdFutures futures_;
   CrowdModel model_;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "pomdp_crowd_nav/planner/navigation_tables.h"
 #include "pomdp_crowd_nav/planner/planner.h"
 #include "pomdp_crowd_nav/world/static_map.h"
 
@@ -15,6 +16,8 @@ struct Task {
   const StaticMap& map;
   Point goal{0.0, 0.0};             // [m]
   std::vector<Point> destinations;  // [m], of people
+  // Of all planners of this map and goal with these parameters; without it each makes its own.
+  SharedTables* shared_tables = nullptr;
 };
 
 // Names that makePlanner knows.
