@@ -99,7 +99,7 @@ std::string csvRow(const Trial& trial, const EpisodeResult& result) {
                      result.reachedGoal() ? 1 : 0, cell(m.travel_time), m.sudden_brakes,
                      cell(m.min_moving_distance), m.unsafe_steps, m.unsafe_ticks,
                      cell(m.path_length), result.mean_search_time, result.max_search_time,
-                     result.mean_trials, result.bound_violations);
+                     result.mean_trials, result.bound_violations, m.decisions, result.stale_paths);
 }
 
 std::string trailHeader() { return "world,pedestrians,planner,seed,time_s,x_m,y_m"; }
