@@ -55,7 +55,7 @@ void findPath(benchmark::State& state, VehicleKind kind) {
   std::vector<std::vector<PersonBelief>> crowds;
   for (int i = 0; i < 64; ++i) crowds.push_back(peopleAhead(random));
   HybridAstar::Limit limit;
-  limit.max_expansions = 40000;
+  limit.max_expansions = 75000;
   long expansions = 0;
   long found = 0;
   size_t i = 0;
