@@ -72,7 +72,7 @@ LimitedSpacePlanner::LimitedSpacePlanner(const Task& task, const PlannerParams& 
       field_(wayToGoal(task, params)),
       astar_(task.map, field_, pathParams(params)),
       pedestrian_model_({model_params_.pedestrian_noise * model_params_.step}),
-      model_(model_params_, task.goal, futures_),
+      model_(model_params_, futures_),
       search_(searchParams(params)) {}
 
 Decision LimitedSpacePlanner::decide(const Situation& situation, const SearchLimit& limit) {

@@ -8,17 +8,17 @@ namespace pomdp_crowd_nav {
 namespace {
 
 constexpr float kPlacesPerMeter = 8.0F;
-constexpr float kRounding = 1e-3F;  // [m]
+constexpr float kRounding = 1e-4F;  // [m], less than UpperBound allows for
 constexpr float kFar = std::numeric_limits<float>::max();
 
 float square(double x) { return static_cast<float>(x * x); }
 
 }  // namespace
 
-PathModel::PathModel(const ModelParams& params, const Point& goal, const CrowdFutures& futures)
+PathModel::PathModel(const ModelParams& params, const CrowdFutures& futures)
     : params_(params),
       futures_(futures),
-      upper_bound_(params, goal),
+      upper_bound_(params, Point(0.0, 0.0)),
       step_(static_cast<float>(params.step)),
       discount_(static_cast<float>(params.discount())),
       max_speed_(static_cast<float>(params.vehicle.max_speed)),
@@ -147,11 +147,11 @@ void PathModel::bound(const PathState& state, int scenario, int depth, Branch& b
   branch.upper = upperFrom(state);
 }
 
-// UpperBound counts the way to within the goal's tolerance.
+// By the way along the path alone: the place told is that of the goal. UpperBound counts the way to
+// within the goal's tolerance, and the path ends there.
 float PathModel::upperFrom(const PathState& state) const {
-  const Place place = placeAt(state.way);
   const float way = length_ - state.way + static_cast<float>(params_.goal_tolerance);
-  return upper_bound_.value({place.x, place.y, 1.0F, 0.0F, state.speed}, way);
+  return upper_bound_.value({0.0F, 0.0F, 1.0F, 0.0F, state.speed}, way);
 }
 
 // The default policy (paper, section Solving POMDPs Online): slow down within D_near of the nearest

@@ -259,5 +259,22 @@ TEST(CommandGenerator, RejectsParametersOutOfRange) {
   EXPECT_THROW(CommandGenerator({}, vehicle), std::invalid_argument);
 }
 
+// At 10 Hz, with corners between two commands and on them.
+TEST(CommandGenerator, DrivesLegsExactly) {
+  VehicleParams vehicle;
+  for (const double speed : {1.0, 1.5, 2.0}) {
+    StepMotion motion = stepMotion(vehicle, {{3.0, 4.0}, 0.3, 1.0}, 0.3, speed, 1.0);
+    motion.legs = {{0.3, 0.0, 0.5 * speed}, {2.0, 0.0, 0.5 * speed}};
+    CommandGenerator commands({}, vehicle);
+    commands.commandAt(4.9, 0.0, {0.0, 0.0});
+    commands.follow(motion, 5.0);
+    Point position = motion.start;
+    for (int tick = 0; tick < 10; ++tick) {
+      position += 0.1 * commands.commandAt(5.0 + 0.1 * tick, 0.0, {0.0, 0.0}).velocity;
+      EXPECT_LT((position - motion.positionAt(0.1 * (tick + 1))).norm(), 1e-9) << speed;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace pomdp_crowd_nav

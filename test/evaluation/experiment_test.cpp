@@ -177,8 +177,11 @@ TEST(Csv, ARowHasACellForEveryColumn) {
   result.max_search_time = 0.05;
   result.mean_trials = 200.0;
   result.bound_violations = 5;
+  result.metrics.decisions = 65;
+  result.stale_paths = 6;
   const std::string row = csvRow({"scenario_1", 100, "2d_fmm", 7}, result);
-  EXPECT_EQ(row, "scenario_1,100,2d_fmm,7,1,66.000,2,1.250,3,4,112.346,0.012346,0.050000,200.0,5");
+  EXPECT_EQ(row,
+            "scenario_1,100,2d_fmm,7,1,66.000,2,1.250,3,4,112.346,0.012346,0.050000,200.0,5,65,6");
   const std::string header = csvHeader();
   EXPECT_EQ(std::count(header.begin(), header.end(), ','), std::count(row.begin(), row.end(), ','));
 }
@@ -186,7 +189,7 @@ TEST(Csv, ARowHasACellForEveryColumn) {
 TEST(Csv, WhatWasNotMeasuredStaysEmpty) {
   EpisodeResult result;
   const std::string row = csvRow({"w", 0, "p", 1}, result);
-  EXPECT_EQ(row, "w,0,p,1,0,0.000,0,,0,0,0.000,0.000000,0.000000,0.0,0");
+  EXPECT_EQ(row, "w,0,p,1,0,0.000,0,,0,0,0.000,0.000000,0.000000,0.0,0,0,0");
 }
 
 TEST(Csv, ATrailHasTheStartAndAPlaceForEachStep) {

@@ -127,6 +127,9 @@ search: {scenarios: 61, regularization: 0.02, target_gap: 0.9, max_nodes: 12345,
          max_memory: 77.0, threads: 3}
 prior: {resolution: 0.3, extra_clearance: 0.31, blocked_speed: 0.02, milestones: 501, neighbours: 7,
         milestone_spacing: 1.1, seed: 13}
+path: {pace: 1.4, time_share: 0.4, max_expansions: 4321, pedestrian_noise: 0.07, cell: 0.6,
+       cost_discount: 0.98, way_weight: 0.9, heading_weight: 9.0, field_strength: 8.0,
+       field_radius: 15.0, field_on_way: true, sure_belief: 0.6}
 belief: {update_period: 0.6, walking_speed: 1.3, speed_smoothing: 0.4}
 emergency: {enabled: false, decision_distance: 1.7, reflex_distance: 1.1, reaction_time: 0.25}
 command: {hold_time: 0.12, yaw_gain: 1.8}
@@ -187,6 +190,19 @@ uniform_respawn: true
   EXPECT_EQ(n.planning.prior.neighbours, 7);
   EXPECT_EQ(n.planning.prior.milestone_spacing, 1.1);
   EXPECT_EQ(n.planning.prior.seed, 13);
+  const LimitedSpaceParams& limited_space = n.planning.limited_space;
+  EXPECT_EQ(limited_space.pace, 1.4);
+  EXPECT_EQ(limited_space.time_share, 0.4);
+  EXPECT_EQ(limited_space.max_expansions, 4321);
+  EXPECT_EQ(limited_space.pedestrian_noise, 0.07);
+  EXPECT_EQ(limited_space.path.cell, 0.6);
+  EXPECT_EQ(limited_space.path.cost_discount, 0.98);
+  EXPECT_EQ(limited_space.path.way_weight, 0.9);
+  EXPECT_EQ(limited_space.path.heading_weight, 9.0);
+  EXPECT_EQ(limited_space.path.crowd.field_strength, 8.0);
+  EXPECT_EQ(limited_space.path.crowd.field_radius, 15.0);
+  EXPECT_TRUE(limited_space.path.crowd.field_on_way);
+  EXPECT_EQ(limited_space.path.crowd.sure_belief, 0.6);
   EXPECT_EQ(n.belief.update_period, 0.6);
   EXPECT_EQ(n.belief.walking_speed, 1.3);
   EXPECT_EQ(n.belief.speed_smoothing, 0.4);
@@ -229,7 +245,7 @@ TEST(LoadParams, AValueOutOfRangeIsRefused) {
   EXPECT_EQ(messageFor("planner_frequency: 6"),
             "planner_frequency must be between 0.1 and 5 Hz, got 6");
   EXPECT_EQ(messageFor("planner: fmm"),
-            "planner must be one of 2d_fmm, 2d_prm, 2d_straight, got 'fmm'");
+            "planner must be one of 2d_fmm, 2d_prm, 2d_straight, 1d_astar, got 'fmm'");
   EXPECT_EQ(messageFor("search_time: -0.5"), "search_time must be positive, got -0.5");
   EXPECT_EQ(messageFor("controller_frequency: -0.5"),
             "controller_frequency must be positive, got -0.5");
@@ -240,6 +256,13 @@ TEST(LoadParams, AValueOutOfRangeIsRefused) {
   EXPECT_EQ(messageFor("robot_radius: -0.5"), "robot_radius must be positive, got -0.5");
   EXPECT_EQ(messageFor("attended_pedestrians: 65"),
             "attended_pedestrians must be between 0 and 64, got 65");
+  EXPECT_EQ(messageFor("path: {time_share: 1.0}"), "path/time_share must be in (0, 1), got 1");
+  EXPECT_EQ(messageFor("path: {max_expansions: 0}"),
+            "path/max_expansions must be at least 1, got 0");
+  EXPECT_EQ(messageFor("path: {pedestrian_noise: -0.5}"),
+            "path/pedestrian_noise must be at least 0, got -0.5");
+  EXPECT_EQ(messageFor("path: {pace: -0.5}"), "path/pace must be at least 0, got -0.5");
+  EXPECT_EQ(messageFor("path: {cell: 0.0}"), "path/cell must be positive, got 0");
   EXPECT_EQ(messageFor("search: {scenarios: 0}"),
             "search/scenarios must be between 1 and 65535, got 0");
   EXPECT_EQ(messageFor("model: {bold_distance: -0.5}"),

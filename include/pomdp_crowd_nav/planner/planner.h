@@ -20,7 +20,7 @@ struct LimitedSpaceParams {
   HybridAstar::Params path;
   double pace = 0.0;               // [m/s], at which people are predicted for the path; 0: v_max
   double time_share = 0.3;         // of a decision's time, for the path
-  int max_expansions = 100000;     // of a path search in a decision without a deadline
+  int max_expansions = 75000;      // of a path search in a decision without a deadline
   double pedestrian_noise = 0.05;  // [m], half width of the noise on a step of 1 s, in the search
 };
 

@@ -32,7 +32,7 @@ class PathModel {
   using Action = pomdp_crowd_nav::Action;
   static constexpr bool kSharesState = true;  // the robot's state; people are in the futures
 
-  PathModel(const ModelParams& params, const Point& goal, const CrowdFutures& futures);
+  PathModel(const ModelParams& params, const CrowdFutures& futures);
 
   // For the searches that follow.
   void setPath(const Path& path);
