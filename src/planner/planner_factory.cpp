@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "pomdp_crowd_nav/planner/extended_space_planner.h"
+#include "pomdp_crowd_nav/prior/look_ahead_prior.h"
 
 namespace pomdp_crowd_nav {
 namespace {
@@ -20,6 +21,16 @@ std::unique_ptr<Planner> makeExtendedSpace(const char* prior, const Task& task,
   prior_params.clearance = params.model.obstacleClearance();
   return std::make_unique<ExtendedSpacePlanner>(
       task, makePrior(prior, task.map, task.goal, prior_params), params);
+}
+
+// For a car: the direction is that of the path a little ahead.
+std::unique_ptr<Planner> makeSteered(const char* prior, const Task& task,
+                                     const PlannerParams& params) {
+  PriorParams prior_params = params.prior;
+  prior_params.clearance = params.model.obstacleClearance();
+  auto path = makePrior(prior, task.map, task.goal, prior_params);
+  return std::make_unique<ExtendedSpacePlanner>(
+      task, std::make_shared<LookAheadPrior>(std::move(path), prior_params.look_ahead), params);
 }
 
 struct Entry {
@@ -46,6 +57,10 @@ const Entry kPlanners[] = {
     {"2d_nhv", VehicleKind::kCar,
      [](const Task& task, const PlannerParams& params) {
        return makeExtendedSpace("straight_line", task, params);
+     }},
+    {"2d_nhv_fm2", VehicleKind::kCar,
+     [](const Task& task, const PlannerParams& params) {
+       return makeSteered("fast_marching_square", task, params);
      }},
 };
 
