@@ -38,6 +38,15 @@ void requireFrequency(double frequency) {
                                           kLowest, kHighest, frequency));
 }
 
+void requireHeadingWithin(const NavigationParams& params) {
+  const bool turns_on_spot = params.planning.model.vehicle.kind != VehicleKind::kCar;
+  if (turns_on_spot || params.yaw_goal_tolerance > M_PI) return;
+  throw std::invalid_argument(
+      fmt::format("yaw_goal_tolerance must be above pi for vehicle 'car', which cannot turn on the "
+                  "spot, got {}",
+                  params.yaw_goal_tolerance));
+}
+
 void requireKnownPlanner(const std::string& name) {
   const std::vector<std::string> names = plannerNames();
   if (std::find(names.begin(), names.end(), name) != names.end()) return;
@@ -125,6 +134,8 @@ void readPlanning(ParamReader& reader, PlannerParams& planning) {
   reader.read("prior/resolution", planning.prior.resolution);
   reader.read("prior/extra_clearance", planning.prior.extra_clearance);
   reader.read("prior/blocked_speed", planning.prior.blocked_speed);
+  reader.read("prior/saturation_distance", planning.prior.saturation_distance);
+  reader.read("prior/look_ahead", planning.prior.look_ahead);
   reader.read("prior/milestones", planning.prior.milestones);
   reader.read("prior/neighbours", planning.prior.neighbours);
   reader.read("prior/milestone_spacing", planning.prior.milestone_spacing);
@@ -165,6 +176,7 @@ NavigationParams loadNavigationParams(ParamReader& reader) {
   requirePositive("search_time", params.search_time);
   requirePositive("controller_frequency", params.controller_frequency);
   requirePositive("yaw_goal_tolerance", params.yaw_goal_tolerance);
+  requireHeadingWithin(params);
   requirePositive("odom_timeout", params.odom_timeout);
   requirePositive("people_timeout", params.people_timeout);
   return params;

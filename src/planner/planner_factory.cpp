@@ -8,21 +8,27 @@
 
 #include "pomdp_crowd_nav/planner/extended_space_planner.h"
 #include "pomdp_crowd_nav/planner/limited_space_planner.h"
+#include "pomdp_crowd_nav/prior/look_ahead_prior.h"
 
 namespace pomdp_crowd_nav {
 namespace {
 
 using Maker = std::unique_ptr<Planner> (*)(const Task&, const PlannerParams&);
 
-// The paper's planner ES with the prior `name`, kept clear of obstacles as the model asks.
+using PriorPointer = std::shared_ptr<const RolloutPrior>;
+
+// The paper's planner ES along a prior. Planners of one task share the tables of one prior.
 std::unique_ptr<Planner> makeExtendedSpace(const char* prior, const Task& task,
-                                           const PlannerParams& params) {
+                                           const PlannerParams& params, bool looks_ahead = false) {
   PriorParams prior_params = params.prior;
   prior_params.clearance = params.model.obstacleClearance();
   const auto make = [&] {
-    return std::make_shared<const NavigationTables>(
-        makePrior(prior, task.map, task.goal, prior_params), task.map, params.model,
-        prior_params.resolution);
+    PriorPointer path = makePrior(prior, task.map, task.goal, prior_params);
+    if (looks_ahead) {
+      path = std::make_shared<LookAheadPrior>(std::move(path), prior_params.look_ahead);
+    }
+    return std::make_shared<const NavigationTables>(std::move(path), task.map, params.model,
+                                                    prior_params.resolution);
   };
   return std::make_unique<ExtendedSpacePlanner>(
       task, task.shared_tables ? task.shared_tables->of(prior, make) : make(), params);
@@ -58,6 +64,11 @@ const Entry kPlanners[] = {
     {"2d_nhv", Drives::kCar,
      [](const Task& task, const PlannerParams& params) {
        return makeExtendedSpace("straight_line", task, params);
+     }},
+    {"2d_nhv_fm2", Drives::kCar,
+     [](const Task& task, const PlannerParams& params) {
+       constexpr bool kLooksAhead = true;  // a car steers toward where the path leads
+       return makeExtendedSpace("fast_marching_square", task, params, kLooksAhead);
      }},
     {"1d_astar", Drives::kBoth, makeLimitedSpace},
 };

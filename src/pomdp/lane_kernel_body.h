@@ -65,8 +65,7 @@ void moveActionsBy(const Evaluation& e, ActionMoves& moves) {
 }
 
 void moveActions(const Evaluation& e, ActionMoves& moves) {
-  e.constants.isUsual() ? moveActionsBy<kHalfWay>(e, moves)
-                                 : moveActionsBy<kMaxVias>(e, moves);
+  e.constants.isUsual() ? moveActionsBy<kHalfWay>(e, moves) : moveActionsBy<kMaxVias>(e, moves);
 }
 
 // The roll-outs of one scenario: from where every action ends that did not end it, under every

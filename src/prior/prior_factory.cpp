@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "pomdp_crowd_nav/prior/fast_marching_prior.h"
+#include "pomdp_crowd_nav/prior/fast_marching_square_prior.h"
 #include "pomdp_crowd_nav/prior/roadmap_prior.h"
 #include "pomdp_crowd_nav/prior/straight_line_prior.h"
 
@@ -34,6 +35,7 @@ struct Entry {
 // A new prior is one more line here.
 constexpr Entry kPriors[] = {
     {"fast_marching", makeFastMarching},
+    {"fast_marching_square", makeFastMarchingSquare},
     {"roadmap", makeRoadmap},
     {"straight_line", makeStraightLine},
 };

@@ -38,19 +38,35 @@ Point MotionExecutor::Motion::displacementAt(double time) const {
   return path.positionAt(time - start) - path.start;
 }
 
+double MotionExecutor::Motion::headingAt(double time) const {
+  return path.headingAt(std::max(0.0, time - start));
+}
+
+// Of a base without a motion to follow, which faces wherever it likes.
+double MotionExecutor::travelHeading(const RobotReading& reading,
+                                     const std::optional<Motion>& last) {
+  if (reading.velocity.norm() > kRestSpeed) {
+    return std::atan2(reading.velocity.y(), reading.velocity.x());
+  }
+  return last ? last->path.end_heading : reading.pose.heading;
+}
+
 VehicleState MotionExecutor::predict(const RobotReading& reading, double time) const {
   const double speed = reading.velocity.norm();
+  const bool is_car = vehicle_.kind == VehicleKind::kCar;
   VehicleState state{reading.pose.position, reading.pose.heading, 0.0};
   const std::optional<Motion>& motion = next_ ? next_ : current_;
   if (!motion || motion->end(params_.hold_time) <= reading.measured_at) {
-    if (speed > kRestSpeed) state.heading = std::atan2(reading.velocity.y(), reading.velocity.x());
     if (speed > kRestSpeed) state.speed = speed;
-    if (speed <= kRestSpeed && motion) state.heading = motion->path.end_heading;
+    if (!is_car) state.heading = travelHeading(reading, motion);
     return braked(state, time - reading.measured_at);
   }
   const double until = std::min(time, motion->end(params_.hold_time));
   state.position += motion->displacementAt(until) - motion->displacementAt(reading.measured_at);
-  state.heading = motion->path.headingAt(std::max(0.0, until - motion->start));
+  const double heading = motion->headingAt(until);
+  // A car faces where it drives, whether or not that is where it should.
+  const double turn = heading - motion->headingAt(reading.measured_at);
+  state.heading = is_car ? wrapAngle(reading.pose.heading + turn) : heading;
   state.speed = motion->path.velocityAt(until - motion->start).norm();
   if (state.speed <= kRestSpeed) state.speed = 0.0;
   return braked(state, time - until);

@@ -102,6 +102,78 @@ TEST(CommandGenerator, FollowsABentWayToItsEnd) {
   }
 }
 
+VehicleParams car() {
+  VehicleParams vehicle;
+  vehicle.kind = VehicleKind::kCar;
+  vehicle.max_speed = 4.0;
+  vehicle.max_yaw_rate = 3.2;
+  return vehicle;
+}
+
+// Ten steps of a car, each of ten commands: it is where the motions lead, and never slips sideways.
+void expectCarInLockstep(const VehicleParams& vehicle, double tolerance) {
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  CommandGenerator generator({}, vehicle);
+  SimulatedBase base(vehicle, {{1.0, 2.0}, 0.4});
+  VehicleState state{{1.0, 2.0}, 0.4, 0.0};
+  generator.commandAt(-0.1, 0.4, {0.0, 0.0});
+  for (int step = 0; step < 10; ++step) {
+    const double speed = std::clamp(state.speed + std::round(2.0 * unit(random)) - 1.0, 0.0, 4.0);
+    const StepMotion motion =
+        stepMotion(vehicle, state, state.heading + 2.0 * unit(random) - 1.0, speed, 1.0);
+    generator.follow(motion, step);
+    for (int i = 0; i < 10; ++i) {
+      const BaseCommand command =
+          generator.commandAt(step + 0.1 * i, base.pose().heading, base.velocity());
+      EXPECT_EQ(command.velocity.y(), 0.0);
+      base.follow(command, 0.1);
+      const Point expected = motion.positionAt(0.1 * (i + 1));
+      ASSERT_NEAR((base.pose().position - expected).norm(), 0.0, tolerance) << step << ' ' << i;
+    }
+    state = motion.end();
+    ASSERT_NEAR(wrapAngle(base.pose().heading - state.heading), 0.0, tolerance);
+  }
+  EXPECT_GT((base.pose().position - Point(1.0, 2.0)).norm(), 5.0);
+}
+
+TEST(CommandGenerator, ACarEndsWhereItsArcsEnd) { expectCarInLockstep(car(), 1e-9); }
+
+TEST(CommandGenerator, ARampedCarEndsWhereItsArcsEnd) {
+  VehicleParams vehicle = car();
+  vehicle.instant_velocity = false;
+  vehicle.acceleration = 1.0;
+  vehicle.brake_deceleration = 1.0;
+  vehicle.lateral_acceleration = 2.0;
+  expectCarInLockstep(vehicle, 1e-6);
+}
+
+TEST(CommandGenerator, ACarSteersBackToItsHeading) {
+  CommandGenerator generator({}, car());
+  generator.follow(stepMotion(car(), {{0.0, 0.0}, 0.0, 2.0}, 0.0, 2.0, 1.0), 10.0);
+  const BaseCommand command = generator.commandAt(10.0, 0.1, {2.0, 0.0});
+  EXPECT_NEAR(command.yaw_rate, -0.2, 1e-9) << "the yaw gain is 2 per second";
+  EXPECT_EQ(command.velocity, Point(2.0, 0.0));
+}
+
+TEST(CommandGenerator, ACarBrakesOnItsCurve) {
+  VehicleParams vehicle = car();
+  vehicle.instant_velocity = false;
+  vehicle.lateral_acceleration = 2.0;
+  vehicle.brake_deceleration = 2.0;
+  CommandGenerator generator({}, vehicle);
+  const StepMotion motion = stepMotion(vehicle, {{0.0, 0.0}, 0.0, 2.0}, 0.5, 2.0, 1.0);
+  generator.follow(motion, 10.0);
+  const BaseCommand driving = generator.commandAt(10.0, 0.0, {2.0, 0.0});
+  EXPECT_NEAR(driving.yaw_rate, 0.5, 1e-9);
+  generator.stop();
+  const BaseCommand braking = generator.commandAt(10.1, 0.05, 2.0 * unitVector(0.05));
+  EXPECT_NEAR(braking.velocity.x(), 1.8, 1e-9);
+  EXPECT_NEAR(braking.yaw_rate, 0.45, 1e-9) << "the same curvature";
+  EXPECT_EQ(generator.commandAt(12.0, 0.05, {0.0, 0.0}).velocity.norm(), 0.0);
+  EXPECT_EQ(generator.commandAt(12.1, std::nan(""), {std::nan(""), 0.0}).yaw_rate, 0.0);
+}
+
 TEST(CommandGenerator, HoldsPastTheEndAndThenBrakes) {
   CommandGenerator::Params params;
   params.hold_time = 0.2;

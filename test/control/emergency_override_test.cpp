@@ -42,6 +42,21 @@ TEST(EmergencyOverride, ReplacesTheActionBySpeed) {
   EXPECT_EQ(override.replace(drivingEast(2.0), close), Action::suddenBrake());
 }
 
+TEST(EmergencyOverride, AFastCarBrakesSuddenly) {
+  VehicleParams car;
+  car.kind = VehicleKind::kCar;
+  car.max_speed = 4.0;
+  const EmergencyOverride override({}, car, 1.0);
+  const TrackList close = seeing({11.0, 5.0});
+  EXPECT_EQ(override.replace(drivingEast(0.0), close), Action::turnBy(0.0, 0));
+  EXPECT_EQ(override.replace(drivingEast(1.0), close), Action::turnBy(0.0, -1));
+  for (const double speed : {2.0, 3.0, 4.0}) {
+    EXPECT_EQ(override.replace(drivingEast(speed), close), Action::suddenBrake()) << speed;
+  }
+  EXPECT_TRUE(override.reflex(drivingEast(4.0), seeing({11.9, 5.0}))) << "0.2 s and 1.2 m ahead";
+  EXPECT_FALSE(override.reflex(drivingEast(4.0), seeing({12.1, 5.0})));
+}
+
 TEST(EmergencyOverride, AShorterStepStopsFromALowerSpeed) {
   const EmergencyOverride override({}, rampedBase(), 0.5);
   const TrackList close = seeing({11.0, 5.0});

@@ -61,6 +61,47 @@ INSTANTIATE_TEST_SUITE_P(EveryWorld, PaperEpisode,
                                          std::make_pair("scenario_3", 30)),
                          [](const auto& test) { return std::string(test.param.first); });
 
+// Turns between the ways of a tick and the next: the mean curvature times the distance of their
+// middles.
+void expectDrivenByACar(const std::vector<Point>& trail, double heading, const VehicleParams& car) {
+  constexpr double kTolerance = 1e-6;
+  double last_length = 0.0;
+  for (size_t i = 1; i < trail.size(); ++i) {
+    const Point way = trail[i] - trail[i - 1];
+    if (way.norm() < 1e-9) continue;
+    const double turn = std::abs(wrapAngle(bearing({0.0, 0.0}, way) - heading));
+    ASSERT_LE(turn, 0.5 * (last_length + 1.001 * way.norm()) * maxCurvature(car) + kTolerance) << i;
+    ASSERT_LE(turn, 0.1 * car.max_turn_per_step + kTolerance) << i;
+    heading = bearing({0.0, 0.0}, way);
+    last_length = 1.001 * way.norm();
+  }
+}
+
+class CarEpisode : public testing::TestWithParam<std::pair<const char*, const char*>> {};
+
+TEST_P(CarEpisode, EndsSafelyAtTheGoalOnArcs) {
+  const World world = loadShipped(GetParam().first);
+  EpisodeParams params = loadParams("paper_car", 60);
+  params.navigation.planner = GetParam().second;
+  const EpisodeResult result = runEpisode(world, params);
+  EXPECT_EQ(result.end, EpisodeEnd::kGoalReached) << describe(result.end);
+  EXPECT_EQ(result.metrics.unsafe_steps, 0);
+  EXPECT_EQ(result.bound_violations, 0);
+  EXPECT_GE(result.metrics.travel_time, 29.0);
+  EXPECT_LT(result.metrics.travel_time, 80.0);
+  EXPECT_LE(result.metrics.max_speed, 4.0 + 1e-9);
+  expectDrivenByACar(result.trail, world.start.heading, params.navigation.planning.model.vehicle);
+  const EpisodeResult again = runEpisode(world, params);
+  ASSERT_EQ(result.trail.size(), again.trail.size());
+  for (size_t i = 0; i < again.trail.size(); ++i) ASSERT_EQ(result.trail[i], again.trail[i]) << i;
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryWorld, CarEpisode,
+                         testing::Values(std::make_pair("scenario_1", "2d_nhv"),
+                                         std::make_pair("scenario_2", "2d_nhv_fm2"),
+                                         std::make_pair("scenario_3", "2d_nhv_fm2")),
+                         [](const auto& test) { return std::string(test.param.first); });
+
 TEST(Episode, IsReproducibleBitForBit) {
   const World world = loadShipped("scenario_2");
   EpisodeParams params = loadParams("paper", 60);

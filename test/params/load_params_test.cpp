@@ -47,8 +47,40 @@ TEST_P(ShippedProfile, LoadsWithoutAnUnknownKey) {
   EXPECT_LE(profile.navigation.search_time, profile.navigation.planning.model.step);
 }
 
-INSTANTIATE_TEST_SUITE_P(EveryProfile, ShippedProfile, testing::Values("paper", "movo", "street"),
+INSTANTIATE_TEST_SUITE_P(EveryProfile, ShippedProfile,
+                         testing::Values("paper", "paper_car", "movo", "street"),
                          [](const auto& test) { return std::string(test.param); });
+
+TEST(LoadParams, ThePapersCarHasThePapersConstants) {
+  const NavigationParams params = loadShipped("paper_car").navigation;
+  const NavigationParams holonomic = loadShipped("paper").navigation;
+  const ModelParams& model = params.planning.model;
+  EXPECT_EQ(params.planner, "2d_nhv");
+  EXPECT_EQ(model.vehicle.kind, VehicleKind::kCar);
+  EXPECT_EQ(model.vehicle.max_speed, 4.0);
+  EXPECT_EQ(model.vehicle.wheelbase, 1.0);
+  EXPECT_NEAR(model.vehicle.max_turn_per_step, M_PI / 4.0, 1e-6);
+  EXPECT_GT(maxCurvature(model.vehicle), M_PI / 4.0) << "45 degrees at 1 m/s";
+  EXPECT_EQ(model.collision_checks, 5);
+  EXPECT_NEAR(params.planning.attention_angle, 2.0 * M_PI / 3.0, 1e-6);
+  EXPECT_EQ(model.near_distance, holonomic.planning.model.near_distance);
+  EXPECT_EQ(model.far_distance, holonomic.planning.model.far_distance);
+  EXPECT_EQ(model.reward.sudden_brake, holonomic.planning.model.reward.sudden_brake);
+  EXPECT_EQ(params.planning.search.scenarios, holonomic.planning.search.scenarios);
+}
+
+TEST(LoadParams, AVehicleNeedsAPlannerForIt) {
+  EXPECT_NE(messageFor("vehicle: boat").find("vehicle must be 'holonomic' or 'car', got 'boat'"),
+            std::string::npos)
+      << messageFor("vehicle: boat");
+  EXPECT_NE(messageFor("vehicle: car").find("for vehicle 'car', got '2d_fmm'"), std::string::npos)
+      << messageFor("vehicle: car");
+  EXPECT_EQ(messageFor("{vehicle: car, planner: 2d_nhv}"), "accepted");
+  EXPECT_NE(messageFor("planner: 2d_nhv").find("for vehicle 'holonomic'"), std::string::npos);
+  EXPECT_NE(messageFor("{vehicle: car, planner: 2d_nhv, yaw_goal_tolerance: 0.5}")
+                .find("yaw_goal_tolerance must be above pi for vehicle 'car'"),
+            std::string::npos);
+}
 
 TEST(LoadParams, ThePapersProfileHoldsThePapersConstants) {
   const NavigationParams params = loadShipped("paper").navigation;
@@ -245,7 +277,8 @@ TEST(LoadParams, AValueOutOfRangeIsRefused) {
   EXPECT_EQ(messageFor("planner_frequency: 6"),
             "planner_frequency must be between 0.1 and 5 Hz, got 6");
   EXPECT_EQ(messageFor("planner: fmm"),
-            "planner must be one of 2d_fmm, 2d_prm, 2d_straight, 1d_astar, got 'fmm'");
+            "planner must be one of 2d_fmm, 2d_prm, 2d_straight, 2d_nhv, 2d_nhv_fm2, 1d_astar, "
+            "got 'fmm'");
   EXPECT_EQ(messageFor("search_time: -0.5"), "search_time must be positive, got -0.5");
   EXPECT_EQ(messageFor("controller_frequency: -0.5"),
             "controller_frequency must be positive, got -0.5");

@@ -31,6 +31,53 @@ SimulatedBase movingBase(const Point& velocity) {
   return base;
 }
 
+VehicleParams car() {
+  VehicleParams params;
+  params.kind = VehicleKind::kCar;
+  params.max_speed = 4.0;
+  params.max_yaw_rate = 3.2;
+  return params;
+}
+
+TEST(SimulatedBase, ACarDrivesAnExactArc) {
+  SimulatedBase base(car(), {{1.0, 2.0}, 0.3});
+  base.follow({{2.0, 0.0}, 0.5}, 0.6);  // 0.3 rad on a circle of 4 m
+  EXPECT_NEAR(base.pose().heading, 0.6, 1e-12);
+  EXPECT_NEAR(base.pose().position.x(), 1.0 + 4.0 * (std::sin(0.6) - std::sin(0.3)), 1e-12);
+  EXPECT_NEAR(base.pose().position.y(), 2.0 - 4.0 * (std::cos(0.6) - std::cos(0.3)), 1e-12);
+  EXPECT_NEAR((base.velocity() - 2.0 * unitVector(0.6)).norm(), 0.0, 1e-12);
+  EXPECT_DOUBLE_EQ(base.yawRate(), 0.5);
+}
+
+TEST(SimulatedBase, ACarGoesNeitherSidewaysNorBackwardsNorTurnsOnTheSpot) {
+  SimulatedBase base(car(), {});
+  base.follow({{0.0, 2.0}, 1.0}, 1.0);
+  base.follow({{-1.0, 0.0}, 0.0}, 1.0);
+  EXPECT_EQ(base.pose().position, Point(0.0, 0.0));
+  EXPECT_EQ(base.pose().heading, 0.0);
+  EXPECT_EQ(base.yawRate(), 0.0);
+}
+
+TEST(SimulatedBase, ACarTurnsNoTighterThanItsSteeringAllows) {
+  SimulatedBase base(car(), {});
+  base.follow({{1.0, 0.0}, 3.0}, 0.5);
+  EXPECT_NEAR(base.pose().heading, 0.5 * std::tan(0.67), 1e-12);
+  base.place({});
+  base.follow({{9.0, 0.0}, -9.0}, 0.1);  // 4 m/s, and 3.2 rad/s at most; steering allows 3.17
+  EXPECT_NEAR(base.yawRate(), -4.0 * std::tan(0.67), 1e-12);
+}
+
+TEST(SimulatedBase, ARampedCarBrakesOnItsCurve) {
+  VehicleParams params = realBase();
+  params.kind = VehicleKind::kCar;
+  SimulatedBase base(params, {});
+  base.follow({{2.0, 0.0}, 0.8}, 4.0);
+  const double heading = base.pose().heading;
+  base.follow({}, 1.0);  // 0.5 m to rest at 4 m/s^2
+  EXPECT_NEAR(base.velocity().norm(), 0.0, 1e-12);
+  EXPECT_NEAR(wrapAngle(base.pose().heading - heading), 0.5 * 0.4, 1e-3);
+}
+
 TEST(SimulatedBase, InstantBaseTakesAVelocityInItsBodyFrame) {
   SimulatedBase base(VehicleParams{}, {{1.0, 2.0}, kQuarterTurn});
   base.follow({{1.5, 0.0}, 0.5}, 0.4);  // facing y: 0.6 m up, 0.2 rad to the left

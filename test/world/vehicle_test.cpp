@@ -131,6 +131,96 @@ TEST(VehicleTest, HeadingIsKeptWhenTheBaseStops) {
   expectNear(end.position, 0.5 * std::cos(0.3), 0.5 * std::sin(0.3));
 }
 
+VehicleParams paperCar() {
+  VehicleParams params;
+  params.kind = VehicleKind::kCar;
+  params.max_speed = 4.0;
+  params.max_yaw_rate = 3.2;
+  return params;
+}
+
+TEST(VehicleTest, AnglesOfACarAreBounded) {
+  for (const double bad : {0.0, -0.1, 1.6, std::nan("")}) {
+    VehicleParams params = paperCar();
+    params.max_turn_per_step = bad;
+    EXPECT_THROW(validate(params), std::invalid_argument) << bad;
+    params = paperCar();
+    params.max_steering_angle = bad;
+    EXPECT_THROW(validate(params), std::invalid_argument) << bad;
+    params = paperCar();
+    params.wheelbase = bad == 1.6 ? 0.0 : bad;
+    EXPECT_THROW(validate(params), std::invalid_argument) << bad;
+  }
+}
+
+// Bicycle of wheelbase 1 m, steering angle atan(turn / length): an arc of radius length / turn.
+TEST(VehicleTest, ACarDrivesAnArc) {
+  const double turn = M_PI / 6.0;
+  const StepMotion motion = stepMotion(paperCar(), {{1.0, 2.0}, 0.0, 3.0}, turn, 4.0, 1.0);
+  const double radius = 4.0 / turn;
+  expectNear(motion.positionAt(1.0), 1.0 + radius * std::sin(turn),
+             2.0 + radius * (1.0 - std::cos(turn)));
+  expectNear(motion.positionAt(0.5), 1.0 + radius * std::sin(0.5 * turn),
+             2.0 + radius * (1.0 - std::cos(0.5 * turn)));
+  EXPECT_NEAR(motion.headingAt(0.5), 0.5 * turn, 1e-12);
+  EXPECT_NEAR(motion.end().heading, turn, 1e-12);
+  EXPECT_DOUBLE_EQ(motion.end().speed, 4.0);
+}
+
+TEST(VehicleTest, ACarTurnsNoFartherThanItCan) {
+  VehicleParams params = paperCar();
+  const auto turned = [&](double desired, double speed) {
+    return stepMotion(params, {{0.0, 0.0}, 0.0, speed}, desired, speed, 1.0).end_heading;
+  };
+  EXPECT_NEAR(turned(2.0, 2.0), M_PI / 4.0, 1e-12);
+  EXPECT_NEAR(turned(-2.0, 1.0), -M_PI / 4.0, 1e-12);
+  EXPECT_NEAR(turned(2.0, 0.5), 0.5 * std::tan(0.67), 1e-12) << "the tightest curve";
+  params.max_yaw_rate = 0.3;
+  EXPECT_NEAR(turned(2.0, 2.0), 0.3, 1e-12);
+}
+
+TEST(VehicleTest, ACarAtRestKeepsItsHeading) {
+  const VehicleState end = stepMotion(paperCar(), {{1.0, 1.0}, 0.4, 2.0}, 1.0, 0.0, 1.0).end();
+  expectNear(end.position, 1.0, 1.0);
+  EXPECT_DOUBLE_EQ(end.heading, 0.4);
+  EXPECT_EQ(end.speed, 0.0);
+}
+
+TEST(VehicleTest, ARampedCarSpeedsUpOnItsArc) {
+  VehicleParams params = paperCar();
+  params.instant_velocity = false;
+  params.lateral_acceleration = 0.5;
+  const StepMotion motion = stepMotion(params, {{0.0, 0.0}, 0.0, 1.0}, 1.0, 2.0, 1.0);
+  // 1.5 m at a curvature of 0.5 / 2^2 per metre.
+  EXPECT_NEAR(motion.end_heading, 1.5 * 0.125, 1e-12);
+  EXPECT_NEAR(motion.headingAt(0.5), 0.625 * 0.125, 1e-12);
+  expectNear(motion.end().position, 8.0 * std::sin(0.1875), 8.0 * (1.0 - std::cos(0.1875)));
+}
+
+TEST(VehicleTest, TheArcToAPlaceEndsThere) {
+  const VehicleState from{{1.0, 2.0}, 0.5, 2.0};
+  for (const double angle : {-1.2, -0.3, 0.0, 0.7}) {
+    const Point place = from.position + 3.0 * unitVector(from.heading + angle);
+    const auto arc = arcTo(from, place);
+    ASSERT_TRUE(arc);
+    EXPECT_NEAR(arc->turn, 2.0 * angle, 1e-12);
+    EXPECT_NEAR((from.position + arc->displacement(arc->length) - place).norm(), 0.0, 1e-12);
+  }
+  EXPECT_FALSE(arcTo(from, from.position - unitVector(0.5))) << "behind";
+}
+
+TEST(VehicleTest, ACarStopsAtAPlaceOnItsWay) {
+  const VehicleState from{{0.0, 0.0}, 0.0, 4.0};
+  const StepMotion motion = stepMotion(paperCar(), from, 0.2, 4.0, 1.0);
+  const Point place = 2.5 * unitVector(0.2);
+  const auto stopped = stopAt(paperCar(), place, from, motion);
+  ASSERT_TRUE(stopped);
+  expectNear(stopped->end().position, place.x(), place.y());
+  EXPECT_NEAR(stopped->end().speed, stopped->legs.front().length, 1e-12);
+  EXPECT_FALSE(stopAt(paperCar(), {4.5, 0.0}, from, motion)) << "farther than it gets";
+  EXPECT_FALSE(stopAt(paperCar(), {2.0, 1.5}, from, motion)) << "too sharp";
+}
+
 // A quarter of a circle of radius 2 m, then straight on for 3 m.
 StepMotion roundTheCorner() {
   StepMotion motion;

@@ -20,6 +20,9 @@ struct PriorParams {
   // to go round, above zero so that a robot that got inside is led out. A band of width w is cut
   // through where the way round is longer by more than w / blocked_speed.
   double blocked_speed = 0.01;
+  // [m] from obstacles, where the front of Fast Marching Square is at full speed
+  double saturation_distance = 10.0;
+  double look_ahead = 4.0;         // [m] along the path, of a car that steers by it
   int milestones = 1000;           // N_prm, of the roadmap; fewer where there is no room
   int neighbours = 10;             // k, nearest milestones to which each one is joined
   double milestone_spacing = 2.0;  // [m], at least so far apart
@@ -29,7 +32,7 @@ struct PriorParams {
 // Names that makePrior knows.
 std::vector<std::string> priorNames();
 
-// Builds the prior `name` ("fast_marching", "roadmap", "straight_line") for a map and a goal.
+// Builds the prior `name`, one of priorNames(), for a map and a goal.
 // Throws std::invalid_argument for an unknown name (listing the known), a parameter out of range,
 // or a goal that is off the map, inside an obstacle or out of sight of the roadmap.
 std::shared_ptr<const RolloutPrior> makePrior(const std::string& name, const StaticMap& map,

@@ -38,8 +38,10 @@ class MotionExecutor {
     double start = 0.0;
     double end(double hold) const { return start + path.duration + hold; }
     Point displacementAt(double time) const;
+    double headingAt(double time) const;
   };
 
+  static double travelHeading(const RobotReading& reading, const std::optional<Motion>& last);
   VehicleState braked(const VehicleState& from, double duration) const;
 
   CommandGenerator::Params params_;

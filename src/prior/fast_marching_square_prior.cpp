@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pomdp_crowd_nav/prior/fast_marching_square_prior.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace pomdp_crowd_nav {
+namespace {
+
+constexpr double kEvenRadius = 3.0;  // [m], around the goal; see SourceDisc of ArrivalTimeField
+
+}  // namespace
+
+SpeedMap makeSquareSpeedMap(const StaticMap& map, const Point& goal, const PriorParams& params) {
+  if (!(params.saturation_distance > 0.0)) {
+    throw std::invalid_argument(fmt::format("prior.saturation_distance must be positive, got {}",
+                                            params.saturation_distance));
+  }
+  SpeedMap speed_map = makeSpeedMap(map, params);
+  const GridFrame& grid = speed_map.grid;
+  for (int row = 0; row < grid.rows; ++row) {
+    for (int column = 0; column < grid.columns; ++column) {
+      const Point center = grid.center(column, row);
+      const Point place = (center - goal).norm() < kEvenRadius ? goal : center;
+      const double share = map.clearance(place) / params.saturation_distance;
+      float& speed = speed_map.speed[grid.index(column, row)];
+      if (speed == 1.0F) speed = static_cast<float>(std::clamp(share, params.blocked_speed, 1.0));
+    }
+  }
+  return speed_map;
+}
+
+std::shared_ptr<const RolloutPrior> makeFastMarchingSquare(const StaticMap& map, const Point& goal,
+                                                           const PriorParams& params) {
+  return std::make_shared<FastMarchingPrior>(makeSquareSpeedMap(map, goal, params), goal);
+}
+
+}  // namespace pomdp_crowd_nav
