@@ -234,6 +234,27 @@ polygons:
             self.assertRegex(shown, r"interrupted after \d+ of 500 episodes; .*--resume")
 
 
+class OmniscientBoundTest(BadInputTest):
+    def expect(self, args, *words):
+        self.expect_refusal("omniscient_bound", ["--config", f"{SHARE}/config", *args], *words)
+
+    def test_names_and_numbers(self):
+        self.expect(["--worlds", "atlantis"], "atlantis", "scenario_1")
+        self.expect(["--profile", "atlantis"], "atlantis")
+        self.expect(["--pedestrians", "-3"], "--pedestrians", "-3")
+        self.expect(["--runs", "0"], "--runs", "'0'")
+
+    def test_output_that_is_there(self):
+        self.expect(["--output", self.write("bounds.csv", "")], "bounds.csv", "it exists")
+
+    def test_world_without_a_way(self):
+        text = pathlib.Path(WORLD).read_text() + """
+polygons:
+  - {closed: false, vertices: [[30.0, 0.0], [30.0, 100.0]]}
+"""
+        self.expect(["--worlds", self.write("wall.yaml", text)], "wall", "no way to the goal")
+
+
 class ReportExperimentsTest(BadInputTest):
     def expect(self, args, *words):
         self.expect_refusal("report_experiments",
