@@ -81,6 +81,22 @@ TEST(MotionExecutor, PredictsTheBrakeAfterAMotionThatNobodyFollowedUp) {
   EXPECT_NEAR(state.position.x(), 0.05 + 0.125, 1e-9);
 }
 
+// Measured off its planned heading: it turns by what is left of the arc.
+TEST(MotionExecutor, PredictsTheTurnOfACar) {
+  VehicleParams car;
+  car.kind = VehicleKind::kCar;
+  MotionExecutor executor({}, car, kPeriod);
+  executor.follow(stepMotion(car, {{0.0, 0.0}, 0.0, 2.0}, 0.6, 2.0, 1.0), 10.0);
+  RobotReading reading = readingAt(10.5, Point(1.0, 0.2), 2.0 * unitVector(0.35));
+  reading.pose.heading = 0.35;
+  const VehicleState state = executor.predict(reading, 11.0);
+  EXPECT_NEAR(state.heading, 0.35 + 0.3, 1e-9);
+  EXPECT_NEAR(state.speed, 2.0, 1e-9);
+  executor.stop();
+  reading.velocity = {0.0, 0.0};
+  EXPECT_NEAR(executor.predict(reading, 11.0).heading, 0.35, 1e-9) << "it faces where it drives";
+}
+
 TEST(MotionExecutor, StopDropsTheMotionAndPredictsTheBrake) {
   MotionExecutor executor({}, slowBase(), kPeriod);
   executor.follow(speedUp(), 10.0);

@@ -38,7 +38,7 @@ struct VehicleParams {
   // Of a car, whose rear axle is its position. Steering takes no time.
   double wheelbase = 1.0;                 // [m]
   double max_steering_angle = 0.67;       // [rad]
-  double max_turn_per_step = M_PI / 4.0;  // [rad], change of heading in a step, at most pi / 2
+  double max_turn_per_step = M_PI / 4;  // [rad], change of heading in a step, at most pi / 2
 };
 
 // Throws std::invalid_argument naming the first field that is out of range.
