@@ -176,7 +176,7 @@ polygons:
         self.expect(["--set", "search/scenarios=many"], "search/scenarios", "'many'")
         self.expect(["--set", "search/scenarios=0"], "scenarios", "0")
         self.expect(["--set", "search/scenarios"], "KEY=VALUE")
-        self.expect(["--set", "planner=2d_fmm"], "--planners")
+        self.expect(["--set", "planner=2d_fmm"], "--set", "planner=2d_fmm")
 
     def test_combinations_that_are_named_twice(self):
         self.expect(["--pedestrians", "5", "5"], "--pedestrians: 5 is named twice")
