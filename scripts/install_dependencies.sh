@@ -11,7 +11,8 @@ BUILD_PACKAGES=(
   libtf2-ros-dev libvisualization-msgs-dev
   libbenchmark-dev libcli11-dev libeigen3-dev libfmt-dev libompl-dev libopencv-dev
   libyaml-cpp-dev nlohmann-json3-dev
-  libgtest-dev librostest-dev python3-rostest)
+  libgtest-dev librostest-dev python3-rostest
+  python3-matplotlib python3-yaml)
 RUN_PACKAGES=(
   python3-roslaunch python3-rosparam python3-rosservice python3-rostopic rosbash rospack-tools
   ros-robot-state-publisher)

@@ -36,7 +36,8 @@ class Trip {
     drive(model_.step);
     while (!isOver()) {
       const Decision decision = decide();
-      if (observer) observer({simulator_.time(), decision, simulator_});
+      if (observer)
+        observer({simulator_.time(), decision, simulator_, *planner_, tracker_.belief()});
       commands_.follow(decision.motion, simulator_.time());
       travel_heading_ = decision.motion.end_heading;
       motion_ = decision.motion;

@@ -8,11 +8,10 @@
 #include <filesystem>
 
 #include "config_files.h"
+#include "episode_params.h"
 #include "interruption.h"
 #include "option_checks.h"
 #include "pomdp_crowd_nav/evaluation/durable_file.h"
-#include "pomdp_crowd_nav/params/load_params.h"
-#include "pomdp_crowd_nav/params/yaml_param_reader.h"
 #include "pomdp_crowd_nav/planner/navigation_tables.h"
 #include "progress.h"
 
@@ -114,11 +113,11 @@ class Run {
  private:
   void runWorld(const std::string& name) {
     const std::string profile = options_.profile.empty() ? profileFor(name) : options_.profile;
-    auto reader = YamlParamReader::fromFile(configFile(options_.config, "profiles", profile));
-    const NavigationParams navigation = loadNavigationParams(reader);
+    YamlParamReader reader = openProfile(options_.config, profile, {});
+    const EpisodeParams episode = loadEpisodeParams(reader);
+    const NavigationParams& navigation = episode.navigation;
     const ModelParams& model = navigation.planning.model;
-    Simulator::Params simulator = loadSimulatorParams(reader, model.vehicle);
-    reader.requireAllUsed();
+    Simulator::Params simulator = episode.simulator;
     World world = loadWorld(configFile(options_.config, "worlds", name));
     if (!options_.tracks.empty()) world.tracks_file = options_.tracks;
     const OmniscientBound::Params params = boundParams(model);

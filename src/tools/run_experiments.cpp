@@ -9,11 +9,11 @@
 #include <thread>
 
 #include "config_files.h"
+#include "episode_params.h"
 #include "interruption.h"
 #include "option_checks.h"
 #include "pomdp_crowd_nav/evaluation/experiment.h"
 #include "pomdp_crowd_nav/evaluation/experiment_log.h"
-#include "pomdp_crowd_nav/params/yaml_param_reader.h"
 #include "pomdp_crowd_nav/planner/planner_factory.h"
 #include "progress.h"
 
@@ -85,23 +85,7 @@ struct Setup {
   EpisodeParams params;
 };
 
-YamlParamReader openProfile(const Options& options, const std::string& profile) {
-  auto reader = YamlParamReader::fromFile(configFile(options.config, "profiles", profile));
-  for (const std::string& assignment : options.replaced) {
-    if (assignment.rfind("planner=", 0) == 0) {
-      throw std::runtime_error(
-          fmt::format("--set: got '{}', planners are named by --planners", assignment));
-    }
-    reader.replace(assignment);
-  }
-  return reader;
-}
-
-EpisodeParams loadEpisodeParams(const Options& options, YamlParamReader& reader) {
-  EpisodeParams params;
-  params.navigation = loadNavigationParams(reader);
-  params.simulator = loadSimulatorParams(reader, params.navigation.planning.model.vehicle);
-  reader.requireAllUsed();
+EpisodeParams withLimits(const Options& options, EpisodeParams params) {
   params.max_trials = options.max_trials;
   if (options.search_time > 0.0) {
     params.max_trials = 0;
@@ -130,9 +114,9 @@ std::map<std::string, Setup> loadSetups(const Options& options, ExperimentSettin
   std::map<std::string, Setup> setups;
   for (const std::string& name : options.plan.worlds) {
     const std::string profile = options.profile.empty() ? profileFor(name) : options.profile;
-    YamlParamReader reader = openProfile(options, profile);
+    YamlParamReader reader = openProfile(options.config, profile, options.replaced);
     const std::string world_file = configFile(options.config, "worlds", name);
-    Setup setup{loadWorld(world_file), loadEpisodeParams(options, reader)};
+    Setup setup{loadWorld(world_file), withLimits(options, loadEpisodeParams(reader))};
     if (!options.tracks.empty()) setup.world.tracks_file = options.tracks;
     setup.params.tables = std::make_shared<SharedTables>();
     for (const std::string& planner : options.plan.planners) {

@@ -160,5 +160,38 @@ TEST(YamlParamReader, NamesAFileThatCannotBeRead) {
             SOURCE_DIR ": the file cannot be read");
 }
 
+TEST(YamlParamReader, AValueIsReplacedAndKeepsItsType) {
+  auto reader = YamlParamReader::fromText("a: {b: 1, c: true}\nd: [1, 2]\n", "p.yaml");
+  reader.replace("a/b=7");
+  reader.replace("e/f=0.5");
+  int b = 0;
+  EXPECT_TRUE(reader.read("a/b", b));
+  EXPECT_EQ(b, 7);
+  double f = 0.0;
+  EXPECT_TRUE(reader.read("e/f", f));
+  EXPECT_EQ(f, 0.5);
+  const std::map<std::string, std::string> expected{
+      {"a/b", "7"}, {"a/c", "true"}, {"d", "[1, 2]"}, {"e/f", "0.5"}};
+  EXPECT_EQ(reader.texts(), expected);
+}
+
+TEST(YamlParamReader, AReplacementThatIsWrongIsNamed) {
+  auto reader = YamlParamReader::fromText("a: 1\n", "p.yaml");
+  for (const char* text : {"a", "=1", "a=", ""}) {
+    EXPECT_THROW(reader.replace(text), std::runtime_error) << text;
+  }
+  EXPECT_THROW(reader.replace("a=[1"), std::runtime_error);
+  auto other = YamlParamReader::fromText("a: 1\n", "p.yaml");
+  other.replace("a=many");
+  try {
+    int a = 0;
+    other.read("a", a);
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_EQ(std::string(error.what()).rfind("p.yaml with a=many: a: expected an integer", 0), 0U)
+        << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace pomdp_crowd_nav

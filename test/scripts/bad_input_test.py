@@ -4,6 +4,7 @@
 
 Run by rostest, which starts the master that the nodes need.
 """
+import json
 import os
 import pathlib
 import signal
@@ -176,7 +177,7 @@ polygons:
         self.expect(["--set", "search/scenarios=many"], "search/scenarios", "'many'")
         self.expect(["--set", "search/scenarios=0"], "scenarios", "0")
         self.expect(["--set", "search/scenarios"], "KEY=VALUE")
-        self.expect(["--set", "planner=2d_fmm"], "--planners")
+        self.expect(["--set", "planner=2d_fmm"], "--set", "planner=2d_fmm")
 
     def test_combinations_that_are_named_twice(self):
         self.expect(["--pedestrians", "5", "5"], "--pedestrians: 5 is named twice")
@@ -253,6 +254,30 @@ polygons:
   - {closed: false, vertices: [[30.0, 0.0], [30.0, 100.0]]}
 """
         self.expect(["--worlds", self.write("wall.yaml", text)], "wall", "no way to the goal")
+
+
+class ExportDecisionTest(BadInputTest):
+    def expect(self, args, *words):
+        self.expect_refusal("export_decision", ["--config", f"{SHARE}/config", *args], *words)
+
+    def test_names_and_numbers(self):
+        self.expect(["--world", "atlantis"], "atlantis", "scenario_1")
+        self.expect(["--planner", "3d_magic"], "3d_magic")
+        self.expect(["--step", "0"], "--step", "'0'")
+        self.expect(["--set", "saerch/scenarios=5"], "saerch/scenarios")
+
+    def test_decision_after_the_end(self):
+        self.expect(["--pedestrians", "0", "--max-trials", "1", "--step", "500"], "--step", "500")
+
+    def test_what_is_written(self):
+        result = self.run_program("export_decision", "--config", f"{SHARE}/config", "--step", "2",
+                                  "--max-trials", "20")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        decision = json.loads(result.stdout)
+        self.assertGreater(len(decision["tree"]), 5)
+        self.assertEqual(sum(person["attended"] for person in decision["people"]), 6)
+        self.assertEqual(decision["tree"][0]["from"], decision["robot"]["position"])
+        self.assertTrue(decision["rollouts"])
 
 
 class ReportExperimentsTest(BadInputTest):

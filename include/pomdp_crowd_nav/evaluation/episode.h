@@ -46,6 +46,8 @@ struct EpisodeMoment {
   double time = 0.0;
   const Decision& decision;
   const Simulator& simulator;
+  const Planner& planner;
+  const CrowdBelief& crowd;  // as of the newest tracks
 };
 
 // One trip in lockstep: tracker, planner, override and simulator take turns, and simulated time

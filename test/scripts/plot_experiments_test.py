@@ -1,0 +1,145 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Figures are made in each format, and bad input ends with one line and status 2."""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SCRIPT = ROOT / "scripts/plot_experiments.py"
+RESULTS = ("world,pedestrians,planner,seed,reached,travel_time_s,unsafe_ticks_0_5m,"
+           "mean_search_time_s,stale_paths\n")
+TRAILS = "world,pedestrians,planner,seed,time_s,x_m,y_m\n"
+MAGIC = {".png": b"\x89PNG", ".pdf": b"%PDF", ".svg": b"<?xml"}
+
+
+def results(search=0.02):
+    rows = [f"{world},{people},{planner},{seed},1,{time + seed},0,{search},0\n"
+            for world in ("scenario_1", "scenario_2") for people in (100, 400)
+            for planner, time in (("1d_astar", 80), ("2d_fmm", 64), ("mine", 66))
+            for seed in (1, 2, 3)]
+    return RESULTS + "".join(rows)
+
+
+def trails():
+    rows = [f"{world},{people},2d_fmm,{seed},{t},{1 + 2 * t},{25 + t + seed}\n"
+            for world in ("scenario_1", "scenario_3") for people in (100, 400)
+            for seed in (1, 2) for t in range(5)]
+    return TRAILS + "".join(rows)
+
+
+def decision():
+    return {"world": {"bounds": [[0, 0], [100, 100]], "goal": [100, 75], "circles": [[9, 9, 2]],
+                      "polygons": [{"closed": False, "vertices": [[1, 1], [2, 2]]}],
+                      "destinations": [[0, 0], [100, 100]]},
+            "robot": {"position": [5, 5], "radius": 1.0}, "plan": [[5, 5], [6, 5]],
+            "tree": [{"from": [5, 5], "to": [6, y], "value": 10.0 * y, "weight": 1.0, "depth": 1}
+                     for y in (4, 5, 6)],
+            "rollouts": [[[6, 5], [20, 10], [100, 75]]],
+            "people": [{"position": [8, 5], "belief": [0.3, 0.7], "attended": True,
+                        "predicted": [[8.7, 5.7], [9.4, 6.4]]},
+                       {"position": [20, 5], "belief": [0.5, 0.5], "attended": False,
+                        "predicted": []}]}
+
+
+class PlotTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def write(self, name, text):
+        (self.folder / name).write_text(text)
+        return name
+
+    def run_script(self, *args):
+        return subprocess.run([sys.executable, SCRIPT, *args], cwd=self.folder,
+                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE, text=True, timeout=120, check=False)
+
+    def expect_figures(self, *args, formats=(".png",)):
+        outputs = [f"figure{ending}" for ending in formats]
+        result = self.run_script(*args, "--output", *outputs)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(result.stderr, "")
+        for output in outputs:
+            content = (self.folder / output).read_bytes()
+            self.assertGreater(len(content), 2000)
+            self.assertTrue(content.startswith(MAGIC[pathlib.Path(output).suffix]))
+
+    def expect_refusal(self, args, *words):
+        result = self.run_script(*args)
+        self.assertEqual(result.returncode, 2, result.stderr)
+        lines = result.stderr.splitlines()
+        self.assertEqual(len(lines), 1, result.stderr)
+        self.assertTrue(lines[0].startswith("plot_experiments.py: "), lines[0])
+        for word in words:
+            self.assertIn(word, lines[0])
+        self.assertEqual([path.name for path in self.folder.glob("figure*")], [])
+
+    def test_trails_of_worlds_with_and_without_obstacles(self):
+        self.expect_figures("trails", self.write("t.csv", trails()), "--pedestrians", "100",
+                            formats=(".png", ".pdf", ".svg"))
+
+    def test_reduction(self):
+        self.expect_figures("reduction", self.write("r.csv", results()), formats=(".png", ".svg"))
+        text = (self.folder / "figure.svg").read_text()
+        for word in ("2D-FMM", "mine", "Scenario 2", "1D-A*", "400"):
+            self.assertIn(word, text)
+
+    def test_decision(self):
+        self.expect_figures("decision", self.write("d.json", json.dumps(decision())))
+
+    def test_search_time_is_labelled_from_the_settings(self):
+        for name, settings, search in (("a.csv", {"max_trials": 50, "search_time": 0}, 0.004),
+                                       ("b.csv", {"max_trials": 0, "search_time": 0.5}, 0.5),
+                                       ("c.csv", None, 0.02)):
+            self.write(name, results(search))
+            if settings:
+                self.write(f"{name}.settings.json", json.dumps(settings))
+        self.expect_figures("search-time", "a.csv", "b.csv", "c.csv", formats=(".svg",))
+        text = (self.folder / "figure.svg").read_text()
+        for label in ("50 trials", "500 ms", ">c<"):
+            self.assertIn(label, text)
+
+    def test_files_that_are_none(self):
+        out = ("--output", "figure.png")
+        self.expect_refusal(["reduction", "none.csv", *out], "none.csv", "cannot be read")
+        self.expect_refusal(["reduction", self.write("empty.csv", ""), *out], "empty.csv:1")
+        self.expect_refusal(["reduction", self.write("head.csv", RESULTS), *out], "head.csv:2")
+        self.expect_refusal(["trails", self.write("r.csv", results()), *out], "r.csv:1", "'time_s'")
+        ragged = results() + "scenario_1,100\n"
+        self.expect_refusal(["reduction", self.write("ragged.csv", ragged), *out],
+                            "ragged.csv:38", "9 cells", "got 2")
+        words = results().replace("81,", "soon,", 1)
+        self.expect_refusal(["reduction", self.write("w.csv", words), *out], "w.csv:2",
+                            "travel_time_s", "'soon'")
+        self.expect_refusal(["decision", self.write("d.json", "{"), *out], "d.json:1")
+        self.expect_refusal(["decision", self.write("d.json", "{}"), *out], "d.json", "'world'")
+
+    def test_what_is_not_in_the_files(self):
+        out = ("--output", "figure.png")
+        self.write("r.csv", results())
+        self.expect_refusal(["reduction", "r.csv", "--baseline", "3d", *out], "'3d'")
+        self.write("t.csv", trails())
+        self.expect_refusal(["trails", "t.csv", "--pedestrians", "7", *out], "7 people", "100, 400")
+        self.expect_refusal(["trails", "t.csv", "--config", "nowhere", *out], "scenario_1.yaml")
+
+    def test_options(self):
+        self.write("r.csv", results())
+        self.expect_refusal([], "FIGURE")
+        self.expect_refusal(["reduction", "r.csv"], "--output")
+        self.expect_refusal(["reduction", "r.csv", "--output", "figure.bmp"], "figure.bmp", "png")
+        self.expect_refusal(["reduction", "r.csv", "--output", "nowhere/figure.png"],
+                            "nowhere/figure.png")
+        result = self.run_script("--help")
+        self.assertEqual(result.returncode, 0)
+        for figure in ("trails", "reduction", "decision", "search-time"):
+            self.assertIn(figure, result.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()
