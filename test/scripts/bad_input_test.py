@@ -120,7 +120,7 @@ polygons:
 
     def test_unknown_names_come_with_the_choice(self):
         self.expect(["--worlds", "atlantis"], "atlantis", "scenario_1, scenario_2")
-        self.expect(["--profile", "atlantis"], "atlantis", "movo, paper, street")
+        self.expect(["--profile", "atlantis"], "atlantis", "movo, paper, paper_car, street, tuned")
 
     def test_missing_file_with_the_short_ending(self):
         self.expect(["--worlds", "w/mine.yml"], "w/mine.yml: ", str(self.folder))
