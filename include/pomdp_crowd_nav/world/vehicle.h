@@ -36,8 +36,8 @@ struct VehicleParams {
   double yaw_acceleration = 2.0;      // [rad/s^2], of the body
   bool instant_velocity = true;       // true: the limits on acceleration do not hold in a step
   // Of a car, whose rear axle is its position. Steering takes no time.
-  double wheelbase = 1.0;                 // [m]
-  double max_steering_angle = 0.67;       // [rad]
+  double wheelbase = 1.0;               // [m]
+  double max_steering_angle = 0.67;     // [rad]
   double max_turn_per_step = M_PI / 4;  // [rad], change of heading in a step, at most pi / 2
 };
 
