@@ -11,6 +11,7 @@
 #include "option_checks.h"
 #include "pomdp_crowd_nav/evaluation/durable_file.h"
 #include "pomdp_crowd_nav/planner/planner_factory.h"
+#include "run_tool.h"
 
 using namespace pomdp_crowd_nav;
 
@@ -195,14 +196,8 @@ int main(int argc, char** argv) {
   CLI::App app{"Writes one decision of an episode as JSON: search tree, roll-outs and people."};
   Options options;
   addOptions(app, options);
-  try {
-    app.parse(argc, argv);
+  return runTool("export_decision", app, argc, argv, [&] {
     run(options);
-  } catch (const CLI::CallForHelp& help) {
-    return app.exit(help);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "export_decision: {}\n", error.what());
-    return 2;
-  }
-  return 0;
+    return 0;
+  });
 }

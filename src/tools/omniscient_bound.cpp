@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pomdp_crowd_nav/evaluation/omniscient_bound.h"
 
-#include <fmt/format.h>
-
-#include <CLI/CLI.hpp>
-#include <algorithm>
-#include <filesystem>
-
 #include "config_files.h"
 #include "episode_params.h"
 #include "interruption.h"
@@ -14,6 +8,7 @@
 #include "pomdp_crowd_nav/evaluation/durable_file.h"
 #include "pomdp_crowd_nav/planner/navigation_tables.h"
 #include "progress.h"
+#include "run_tool.h"
 
 using namespace pomdp_crowd_nav;
 
@@ -147,25 +142,25 @@ class Run {
   size_t done_ = 0;
 };
 
+void run(const Options& options) {
+  Run run(options);
+  Interruption::listen();
+  try {
+    run.run();
+  } catch (const Interruption::Signal&) {
+    fmt::print(stderr, "\nomniscient_bound: interrupted, nothing was written\n");
+    throw;
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app{"The fastest trips of a robot that knows where everybody will be."};
   Options options;
   addOptions(app, options);
-  try {
-    app.parse(argc, argv);
-    Run run(options);
-    Interruption::listen();
-    run.run();
-  } catch (const CLI::CallForHelp& help) {
-    return app.exit(help);
-  } catch (const Interruption::Signal& signal) {
-    fmt::print(stderr, "\nomniscient_bound: interrupted, nothing was written\n");
-    return signal.exitStatus();
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "omniscient_bound: {}\n", error.what());
-    return 2;
-  }
-  return 0;
+  return runTool("omniscient_bound", app, argc, argv, [&] {
+    run(options);
+    return 0;
+  });
 }

@@ -5,6 +5,7 @@
 
 #include "config_files.h"
 #include "pomdp_crowd_nav/evaluation/report.h"
+#include "run_tool.h"
 
 using namespace pomdp_crowd_nav;
 
@@ -38,14 +39,8 @@ int main(int argc, char** argv) {
   CLI::App app{"Sums results of run_experiments up in Markdown, beside the paper's."};
   Options options;
   addOptions(app, options);
-  try {
-    app.parse(argc, argv);
+  return runTool("report_experiments", app, argc, argv, [&] {
     run(options);
-  } catch (const CLI::CallForHelp& help) {
-    return app.exit(help);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "report_experiments: {}\n", error.what());
-    return 2;
-  }
-  return 0;
+    return 0;
+  });
 }

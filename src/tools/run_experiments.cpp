@@ -16,6 +16,7 @@
 #include "pomdp_crowd_nav/evaluation/experiment_log.h"
 #include "pomdp_crowd_nav/planner/planner_factory.h"
 #include "progress.h"
+#include "run_tool.h"
 
 using namespace pomdp_crowd_nav;
 
@@ -218,16 +219,8 @@ int main(int argc, char** argv) {
   CLI::App app{"Drives episodes without ROS and writes one CSV row for each."};
   Options options;
   addOptions(app, options);
-  try {
-    app.parse(argc, argv);
+  return runTool("run_experiments", app, argc, argv, [&] {
     run(options);
-  } catch (const CLI::CallForHelp& help) {
-    return app.exit(help);
-  } catch (const Interruption::Signal& signal) {
-    return signal.exitStatus();
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "run_experiments: {}\n", error.what());
-    return 2;
-  }
-  return 0;
+    return 0;
+  });
 }

@@ -9,6 +9,7 @@
 #include "option_checks.h"
 #include "pomdp_crowd_nav/evaluation/replay_task.h"
 #include "pomdp_crowd_nav/params/yaml_param_reader.h"
+#include "run_tool.h"
 
 using namespace pomdp_crowd_nav;
 
@@ -93,14 +94,8 @@ int main(int argc, char** argv) {
   app.add_option("--seed", options.seed, "Seed of the sampled futures")
       ->check(wholeNumber(0, 4294967295))
       ->capture_default_str();
-  try {
-    app.parse(argc, argv);
+  return runTool("run_replay_tasks", app, argc, argv, [&] {
     run(options);
-  } catch (const CLI::CallForHelp& help) {
-    return app.exit(help);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "run_replay_tasks: {}\n", error.what());
-    return 2;
-  }
-  return 0;
+    return 0;
+  });
 }

@@ -12,6 +12,7 @@
 #include "option_checks.h"
 #include "pomdp_crowd_nav/ros/conversions.h"
 #include "pomdp_crowd_nav/sim/world_file.h"
+#include "run_tool.h"
 
 namespace pomdp_crowd_nav {
 namespace {
@@ -202,14 +203,8 @@ int main(int argc, char** argv) {
   app.add_option("--frame", options.frame, "frame of --x and --y");
   app.add_option("--timeout", options.timeout, "[s] after which the goal is cancelled")
       ->check(positiveNumber());
-  try {
-    app.parse(argc, argv);
+  return runTool("send_goal", app, argc, argv, [&] {
     const Point goal = goalOf(options);
     return drive(options, goal) ? 0 : 1;
-  } catch (const CLI::CallForHelp& help) {
-    return app.exit(help);
-  } catch (const std::exception& error) {
-    std::cerr << "send_goal: " << error.what() << std::endl;
-    return 2;
-  }
+  });
 }
