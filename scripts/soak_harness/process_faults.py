@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Faults of processes; each is a function of the rig."""
+import multiprocessing
+import signal
+
+
+def kill(node):
+    return lambda rig: rig.stack.signal(node, signal.SIGKILL)
+
+
+def stop(node):
+    return lambda rig: rig.stack.signal(node, signal.SIGSTOP)
+
+
+def go_on(node):
+    return lambda rig: rig.stack.signal(node, signal.SIGCONT)
+
+
+def _spin():
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # their parent ends them
+    while True:
+        pass
+
+
+def busy_processes(count):
+    """Processes that do nothing but take time of the processors."""
+    context = multiprocessing.get_context("spawn")  # a fork would inherit ROS's threads' locks
+    processes = [context.Process(target=_spin, daemon=True) for _ in range(count)]
+    for process in processes:
+        process.start()
+    return processes
+
+
+def occupy(rig):
+    rig.busy = busy_processes(multiprocessing.cpu_count())
+
+
+def release(rig):
+    for process in rig.busy:
+        process.kill()
+        process.join()
+    rig.busy = []
