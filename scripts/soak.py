@@ -121,7 +121,7 @@ def main():
         rig.start()
     except (RuntimeError, KeyboardInterrupt) as error:
         rig.stop()
-        say(error or "interrupted")
+        say(str(error) or "interrupted")
         return 2
     try:
         run(rig, samples)

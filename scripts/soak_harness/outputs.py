@@ -41,6 +41,10 @@ class CommandWatch:
         self.subscriber = rospy.Subscriber(self.topic, Twist, self._on_command, queue_size=100,
                                            tcp_nodelay=True)
 
+    def interrupt(self):
+        """What comes next is no continuation: the planner had nothing to do."""
+        self.last = -math.inf
+
     def _on_command(self, twist):
         now = time.monotonic()
         gap, self.last = now - self.last, now
@@ -72,6 +76,7 @@ class StatusWatch:
         self.lock = threading.Lock()
         self.newest = None
         self.heard = -math.inf
+        self.on_idle = None
         self.cycle_times = []
         self.decisions = self.deadline_misses = self.bound_violations = 0
         self.subscriber = rospy.Subscriber(PLANNER + "/status", PlannerStatus, self._on_status,
@@ -91,6 +96,8 @@ class StatusWatch:
             self.decisions += decisions
             self.deadline_misses += self._growth(status.deadline_misses, last.deadline_misses)
             self.bound_violations += self._growth(status.bound_violations, last.bound_violations)
+        if status.state == PlannerStatus.IDLE and self.on_idle:
+            self.on_idle()
 
     def is_alive(self):
         return time.monotonic() - self.heard < 2.0

@@ -78,6 +78,7 @@ class Rig:
         self.commands = CommandWatch(rospy.get_param(f"/{PLANNER}/max_vel_trans", 1.0),
                                      rospy.get_param(f"/{PLANNER}/max_vel_theta", 1.0))
         self.commands.on_violation = self.violate
+        self.status.on_idle = self.commands.interrupt
         self.truth.on_event = self._on_unsafe
         self.schedule = endless(
             faults(limits_of(self.options.slack), self.stack.guards(), self.options.use_sim_time),
