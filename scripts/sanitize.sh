@@ -33,6 +33,7 @@ set_options() {
   export TSAN_OPTIONS="ignore_noninstrumented_modules=1:detect_deadlocks=0:$report"
 }
 
+# shellcheck disable=SC2317  # run_step calls it
 configure_sanitized() {
   local options=(-DCMAKE_BUILD_TYPE=RelWithDebInfo "-DPCN_SANITIZE=$sanitizer"
     "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O2 -g1 -DNDEBUG" "-DPCN_CORE_ONLY=$core_only")
