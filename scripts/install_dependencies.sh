@@ -15,6 +15,7 @@ BUILD_PACKAGES=(
   python3-matplotlib python3-yaml)
 RUN_PACKAGES=(
   python3-roslaunch python3-rosparam python3-rosservice python3-rostopic rosbash rospack-tools
+  python3-actionlib-msgs python3-geometry-msgs python3-nav-msgs python3-rospy python3-tf2-msgs
   ros-robot-state-publisher)
 RVIZ_PACKAGES=(rviz)
 

@@ -16,6 +16,9 @@
 namespace pomdp_crowd_nav {
 namespace {
 
+constexpr int kDeepest = 16;
+constexpr int kMostNodes = 1000000;  // an alias counts as what it stands for
+
 bool isPlainScalar(const YAML::Node& node) { return node.IsScalar() && node.Tag() != "!"; }
 
 bool holdsMaps(const YAML::Node& node) {
@@ -30,6 +33,21 @@ std::string toText(const YAML::Node& node) {
   std::string text;
   for (const YAML::Node& item : node) text += (text.empty() ? "" : ", ") + toText(item);
   return "[" + text + "]";
+}
+
+// Whether the document, with its aliases written out, is of a size to be walked through; one that
+// holds an alias of itself has none.
+bool isModest(const YAML::Node& node, int depth, int& left) {
+  if (depth > kDeepest || --left < 0) return false;
+  if (!node.IsSequence() && !node.IsMap()) return true;
+  return std::all_of(node.begin(), node.end(), [&](const auto& item) {
+    if (node.IsSequence()) return isModest(item, depth + 1, left);
+    return isModest(item.first, depth + 1, left) && isModest(item.second, depth + 1, left);
+  });
+}
+
+std::string excess() {
+  return fmt::format("nested more than {} deep or more than {} values", kDeepest, kMostNodes);
 }
 
 std::optional<double> toDouble(const YAML::Node& node) {
@@ -71,6 +89,8 @@ YamlParamReader YamlParamReader::fromText(const std::string& text, const std::st
   YamlParamReader reader(source);
   try {
     const YAML::Node root = YAML::Load(text);
+    int left = kMostNodes;
+    if (!isModest(root, 0, left)) throw std::runtime_error(fmt::format("{}: {}", source, excess()));
     if (!root.IsNull() && !root.IsMap()) reader.failAt(root.Mark(), "expected 'key: value' lines");
     if (root.IsMap()) reader.addMap("", root);
   } catch (const YAML::Exception& error) {
@@ -88,6 +108,10 @@ void YamlParamReader::replace(const std::string& assignment) {
   source_ += fmt::format(" with {}", assignment);
   try {
     const YAML::Node value = YAML::Load(assignment.substr(sign + 1));
+    int left = kMostNodes;
+    if (!isModest(value, 0, left)) {
+      throw std::runtime_error(fmt::format("{}: {}", source_, excess()));
+    }
     leaves_.erase(key);
     addLeaves(key, value);
   } catch (const YAML::Exception& error) {

@@ -79,6 +79,8 @@ std::optional<RobotReading> toReading(const nav_msgs::Odometry& odometry, const 
   reading.pose = transformed(odom_frame, *pose);
   reading.velocity = rotated(reading.pose.heading, twist->velocity);
   reading.yaw_rate = twist->yaw_rate;
+  const bool is_finite = reading.pose.position.allFinite() && reading.velocity.allFinite();
+  if (!is_finite) return std::nullopt;  // finite numbers may be too large to be added
   return reading;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pomdp_crowd_nav/prior/grid_frame.h"
 #include "pomdp_crowd_nav/ros/map_conversions.h"
 #include "pomdp_crowd_nav/ros/markers.h"
 #include "pomdp_crowd_nav/ros/steady_time.h"
@@ -64,6 +65,7 @@ SimulationServer::SimulationServer(ros::NodeHandle node, ros::NodeHandle private
 // Replaces the simulation only when the new one stands.
 void SimulationServer::start(const SimNodeParams& params) {
   auto simulator = std::make_unique<Simulator>(loadSimWorld(params), params.simulator);
+  coveringGrid(simulator->world().bounds, params.map_resolution);  // throws where it is too large
   if (simulator_) time_before_reset_ += simulator_->time();
   params_ = params;
   simulator_ = std::move(simulator);

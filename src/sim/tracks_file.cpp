@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <fstream>
 #include <set>
 #include <stdexcept>
@@ -15,6 +16,8 @@ namespace pomdp_crowd_nav {
 namespace {
 
 const std::vector<std::string> kColumns = {"time_s", "ped_id", "x_m", "y_m"};
+constexpr double kFarthest = 1.0e6;  // [m]
+constexpr double kLatest = 1.0e10;   // [s], stamps of a clock of today are smaller
 const std::string kHeader = "time_s,ped_id,x_m,y_m";
 
 std::string trimmed(const std::string& text) {
@@ -64,6 +67,10 @@ class RowReader {
   double number(const std::vector<std::string>& cells, size_t column) const {
     const auto value = parseDouble(cells[column]);
     if (!value) failAt(column, "a number", cells[column]);
+    const double most = column == 0 ? kLatest : kFarthest;
+    if (std::abs(*value) > most) {
+      failAt(column, fmt::format("a number within +-{:.0e}", most), cells[column]);
+    }
     return *value;
   }
 
@@ -79,7 +86,8 @@ class RowReader {
     samples_.push_back(sample);
   }
 
-  [[noreturn]] void failAt(size_t column, const char* expected, const std::string& value) const {
+  [[noreturn]] void failAt(size_t column, const std::string& expected,
+                           const std::string& value) const {
     fail(fmt::format("column {}: expected {}, got '{}'", kColumns[column], expected, value));
   }
 

@@ -15,6 +15,7 @@ namespace {
 
 using Numbers = std::vector<double>;
 
+constexpr double kFarthest = 1.0e6;  // [m], beyond it sums of squares and grids come to no good
 constexpr double kLargestId = 9007199254740992.0;  // 2^53, whole numbers up to here are exact
 
 // Reads one world file and words its errors.
@@ -38,6 +39,7 @@ class WorldReader {
     readPolygons(world);
     readTracks(world);
     reader_.requireAllUsed();
+    checkReach(world);
     return world;
   }
 
@@ -99,6 +101,24 @@ class WorldReader {
       }
       world.left_out.push_back(static_cast<std::int64_t>(id));
     }
+  }
+
+  void checkReach(const World& world) const {
+    checkReach("bounds/min", world.bounds.min);
+    checkReach("bounds/max", world.bounds.max);
+    for (const Point& point : world.destinations) checkReach("destinations", point);
+    for (const Circle& circle : world.obstacles.circles) {
+      checkReach("circles", circle.center);
+      checkReach("circles", Point(circle.radius, 0.0));
+    }
+    for (const Polygon& polygon : world.obstacles.polygons) {
+      for (const Point& point : polygon.vertices) checkReach("polygons", point);
+    }
+  }
+
+  void checkReach(const char* key, const Point& point) const {
+    if (point.cwiseAbs().maxCoeff() <= kFarthest) return;
+    failAt(key, "nothing farther away than 1e6 m", {point.x(), point.y()});
   }
 
   void checkFree(const char* key, const Point& point, const StaticMap& map) const {

@@ -153,6 +153,18 @@ TEST(YamlParamReader, NamesTheLineOfASyntaxError) {
             "planner.yaml:3: key 'a' is given twice");
 }
 
+TEST(YamlParamReader, RejectsWhatGrowsWithoutEnd) {
+  const std::string excess = "planner.yaml: nested more than 16 deep or more than 1000000 values";
+  EXPECT_EQ(messageOf([] { reading("a: &a {b: *a}\n"); }), excess);
+  EXPECT_EQ(messageOf([] { reading("a: &a [1, *a]\n"); }), excess);
+  std::string laughs = "a0: &a0 [1, 1, 1, 1, 1, 1, 1, 1, 1, 1]\n";
+  for (int i = 1; i < 9; ++i) {
+    laughs += "a" + std::to_string(i) + ": &a" + std::to_string(i) + " [";
+    for (int j = 0; j < 10; ++j) laughs += "*a" + std::to_string(i - 1) + (j < 9 ? ", " : "]\n");
+  }
+  EXPECT_EQ(messageOf([&] { reading(laughs); }), excess);
+}
+
 TEST(YamlParamReader, NamesAFileThatCannotBeRead) {
   EXPECT_EQ(messageOf([] { YamlParamReader::fromFile("/nowhere/p.yaml"); }),
             "/nowhere/p.yaml: the file cannot be read");

@@ -75,6 +75,16 @@ TEST(Odometry, WithANumberThatIsNotFiniteIsNone) {
   EXPECT_FALSE(toReading(odometry, Pose{}));
 }
 
+TEST(Odometry, WithNumbersTooLargeToBeAddedIsNone) {
+  nav_msgs::Odometry odometry;
+  odometry.pose.pose.orientation.w = 1.0;
+  odometry.twist.twist.linear.x = odometry.twist.twist.linear.y = 1.7e308;
+  EXPECT_FALSE(toReading(odometry, Pose{Point(0.0, 0.0), -M_PI_4}));
+  odometry.twist.twist = geometry_msgs::Twist();
+  odometry.pose.pose.position.x = 1.7e308;
+  EXPECT_FALSE(toReading(odometry, Pose{Point(1.7e308, 0.0), 0.0}));
+}
+
 TEST(Tracks, KeepIdsAndLeaveOutPeopleWithoutAPosition) {
   TrackedPersons persons;
   persons.header.stamp = ros::Time(12.5);

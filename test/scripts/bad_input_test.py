@@ -450,6 +450,11 @@ class NodesTest(BadInputTest):
     def test_sim_node_without_a_world_of_that_name(self):
         self.expect_node_refusal("sim_node", {"world_file": "atlantis.yaml"}, "atlantis.yaml")
 
+    def test_sim_node_with_a_field_too_large_to_draw(self):
+        path = self.write("large.yaml", "bounds: {min: [0, 0], max: [1e5, 1e5]}\n"
+                          "start: [1, 1, 0]\ngoal: [9, 9]\ndestinations: [[0, 0]]\n")
+        self.expect_node_refusal("sim_node", {"world_file": path}, "resolution", "cells")
+
     def test_sim_node_with_negative_pedestrians(self):
         self.expect_node_refusal("sim_node", {"world_file": WORLD, "pedestrians": -3},
                                  "pedestrians", "-3")

@@ -42,6 +42,15 @@ TEST(TracksFile, NamesLineColumnAndValue) {
   EXPECT_EQ(errorFor(kHeader + "0,1,,3\n"), ":2: column x_m: expected a number, got ''");
 }
 
+TEST(TracksFile, RejectsWhatIsOutOfThisWorld) {
+  EXPECT_EQ(errorFor(kHeader + "0,1,-1e308,3\n"),
+            ":2: column x_m: expected a number within +-1e+06, got '-1e308'");
+  EXPECT_EQ(errorFor(kHeader + "1e11,1,2,3\n"),
+            ":2: column time_s: expected a number within +-1e+10, got '1e11'");
+  const TemporaryFile file("tracks.csv", kHeader + "1795768829.5,1,1e6,-1e6\n");
+  EXPECT_EQ(readTracksFile(file.path()).size(), 1u);
+}
+
 TEST(TracksFile, RejectsRowsThatDoNotFit) {
   EXPECT_EQ(errorFor(kHeader + "0,1,2\n"), ":2: expected 4 columns, got 3");
   EXPECT_EQ(errorFor(kHeader + "0,1,2,3,4\n"), ":2: expected 4 columns, got 5");

@@ -118,6 +118,20 @@ TEST(WorldFile, NamesWhatDoesNotFit) {
             ": start: expected a list of finite numbers, got '[1, two, 0]'");
 }
 
+TEST(WorldFile, RejectsWhatIsOutOfThisWorld) {
+  const std::string far = "nothing farther away than 1e6 m, got '";
+  EXPECT_EQ(errorFor("bounds: {min: [-2e6, 0], max: [10, 10]}\n" + kWay + kDestinations),
+            ": bounds/min: expected " + far + "[-2e+06, 0]'");
+  EXPECT_EQ(errorFor(kBounds + kWay + "destinations: [[0, 1e308]]\n"),
+            ": destinations: expected " + far + "[0, 1e+308]'");
+  EXPECT_EQ(errorFor(kBounds + kWay + kDestinations + "circles: [[1e7, 0, 1]]\n"),
+            ": circles: expected " + far + "[1e+07, 0]'");
+  EXPECT_EQ(errorFor(kBounds + kWay + kDestinations +
+                     "polygons: [{vertices: [[0, 0], [1, 0], "
+                     "[1, -1e9]]}]\n"),
+            ": polygons: expected " + far + "[1, -1e+09]'");
+}
+
 TEST(WorldFile, StartAndGoalAreFree) {
   EXPECT_EQ(errorFor(kBounds + kDestinations + "start: [-1, 2, 0]\ngoal: [9, 9]\n"),
             ": start: expected a point inside the bounds, got '[-1, 2]'");

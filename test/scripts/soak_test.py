@@ -1,0 +1,101 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Bad options of the scripts that break, sanitize, fuzz and time the nodes, and their arithmetic."""
+import math
+import os
+import pathlib
+import subprocess
+import sys
+import unittest
+
+SCRIPTS = pathlib.Path(__file__).resolve().parents[2] / "scripts"
+sys.path.insert(0, str(SCRIPTS))
+sys.dont_write_bytecode = True
+from soak_harness import figures, memory  # noqa: E402  pylint: disable=wrong-import-position
+
+
+class RefusalTest(unittest.TestCase):
+    def expect(self, script, args, *words):
+        environment = {key: value for key, value in os.environ.items() if key != "PCN_BUILD_DIR"}
+        command = [str(SCRIPTS / script), *args]
+        if script.endswith(".py"):
+            command.insert(0, sys.executable)
+        result = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                stderr=subprocess.PIPE, text=True, timeout=60, check=False,
+                                env=environment)
+        self.assertEqual(result.returncode, 2, result.stderr)
+        lines = result.stderr.splitlines()
+        self.assertEqual(len(lines), 1, result.stderr)
+        for word in (script + ": ", *words):
+            self.assertIn(word, lines[0])
+
+    def test_options_of_both(self):
+        for script in ("soak.py", "measure_jitter.py"):
+            self.expect(script, ["--people", "many"], "--people", "whole number", "'many'")
+            self.expect(script, ["--people", "-1"], "--people", "0 to 10000", "'-1'")
+            self.expect(script, ["--seed", "1.5"], "--seed", "'1.5'")
+            self.expect(script, ["--world", "atlantis"], "--world", "atlantis", "scenario_1")
+            self.expect(script, ["--profile", "atlantis"], "--profile", "atlantis", "tuned")
+            self.expect(script, ["--build-dir", "/nowhere"], "--build-dir", "/nowhere")
+            self.expect(script, ["--minuets", "3"], "--minuets")
+
+    def test_options_of_one(self):
+        for option, value in (("--duration", "nan"), ("--fault-period", "0"), ("--slack", "-1"),
+                              ("--goal-timeout", "soon"), ("--max-growth", "inf")):
+            self.expect("soak.py", [option, value], option, f"'{value}'")
+        self.expect("soak.py", ["--use-sim-time", "maybe"], "--use-sim-time", "maybe")
+        self.expect("measure_jitter.py", ["--minutes", "0"], "--minutes", "'0'")
+        self.expect("measure_jitter.py", ["--load", "0"], "--load", "'0'")
+
+    def test_shell_scripts(self):
+        self.expect("sanitize.sh", [], "address or thread")
+        self.expect("sanitize.sh", ["memory"], "'memory'", "address or thread")
+        self.expect("sanitize.sh", ["thread", "--cores"], "--cores")
+        self.expect("sanitize.sh", ["thread", "--core", "true"], "--core", "'true'")
+        self.expect("fuzz.sh", ["worlds"], "'worlds'", "world_file", "tracks_csv", "conversions")
+        self.expect("fuzz.sh", ["--seconds", "0"], "--seconds", "'0'")
+        self.expect("fuzz.sh", ["--second", "1"], "--second")
+
+
+class FiguresTest(unittest.TestCase):
+    def test_percentiles(self):
+        values = list(range(100, 0, -1))
+        self.assertEqual(figures.percentile(values, 0.5), 50)
+        self.assertEqual(figures.percentile(values, 0.99), 99)
+        self.assertEqual(figures.percentile([7.0], 0.99), 7.0)
+        self.assertTrue(math.isnan(figures.percentile([], 0.5)))
+
+    def test_series_share_a_slope_and_not_their_height(self):
+        series = [[(t, 2.0 * t + 5.0) for t in range(10)], [(t, 2.0 * t - 90.0) for t in range(20, 25)]]
+        slope, error = figures.common_slope(series)
+        self.assertAlmostEqual(slope, 2.0)
+        self.assertAlmostEqual(error, 0.0)
+        self.assertTrue(math.isnan(figures.common_slope([[(0.0, 1.0)]])[0]))
+
+    def test_error_of_a_slope(self):
+        slope, error = figures.common_slope([[(0, 0.0), (1, 1.0), (2, 0.0), (3, 1.0)]])
+        self.assertAlmostEqual(slope, 0.2)
+        self.assertAlmostEqual(error, math.sqrt(0.8 / 2 / 5))
+
+
+class MemoryTest(unittest.TestCase):
+    def grown(self, mb_per_hour):
+        watched = memory.Memory(warm_up=100.0)
+        watched.series[("node", 1)] = [
+            (10.0 * i, 50.0 + (500.0 if i < 10 else 0.0) + mb_per_hour * i / 360.0)
+            for i in range(200)]
+        return watched.growth()["node"]
+
+    def test_a_leak_is_found_and_the_warm_up_is_not_one(self):
+        leak = self.grown(30.0)
+        self.assertAlmostEqual(leak["slope_mb_per_h"], 30.0, places=6)
+        self.assertFalse(memory.Memory.is_flat(leak, 10.0))
+        self.assertTrue(memory.Memory.is_flat(self.grown(0.0), 10.0))
+
+    def test_of_a_process_that_lives(self):
+        self.assertGreater(memory.resident(os.getpid()), 1.0)
+        self.assertTrue(math.isnan(memory.resident(2 ** 30)))
+
+
+if __name__ == "__main__":
+    unittest.main()
