@@ -8,15 +8,16 @@ BUILD_PACKAGES=(
   g++ cmake make ninja-build catkin
   ros-message-generation ros-std-msgs ros-geometry-msgs
   libroscpp-dev libactionlib-dev libdiagnostic-updater-dev libmove-base-msgs-dev libnav-msgs-dev
-  libtf2-ros-dev libvisualization-msgs-dev
+  libdynamic-reconfigure-config-init-mutex-dev python3-dynamic-reconfigure
+  libnodeletlib-dev pluginlib-dev libtf2-ros-dev libvisualization-msgs-dev
   libbenchmark-dev libcli11-dev libeigen3-dev libfmt-dev libompl-dev libopencv-dev
   libyaml-cpp-dev nlohmann-json3-dev
   libgtest-dev librostest-dev python3-rostest
   python3-matplotlib python3-yaml)
 RUN_PACKAGES=(
   python3-roslaunch python3-rosparam python3-rosservice python3-rostopic rosbash rospack-tools
-  python3-actionlib-msgs python3-geometry-msgs python3-nav-msgs python3-rospy python3-tf2-msgs
-  ros-robot-state-publisher)
+  libnodeletlib-tools python3-actionlib-msgs python3-geometry-msgs python3-nav-msgs python3-rospy
+  python3-tf2-msgs ros-robot-state-publisher)
 RVIZ_PACKAGES=(rviz)
 
 # A python3 of pyenv or conda in front of the system's lacks the ROS modules.

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "pomdp_crowd_nav/params/param_ranges.h"
+#include "pomdp_crowd_nav/params/param_values.h"
 #include "pomdp_crowd_nav/planner/planner_factory.h"
 
 namespace pomdp_crowd_nav {
@@ -84,9 +86,10 @@ void readModel(ParamReader& reader, ModelParams& model) {
   readVehicle(reader, model.vehicle);
   readReward(reader, model.reward);
   double frequency = 1.0 / model.step;
-  reader.read("planner_frequency", frequency);
-  requireFrequency(frequency);
-  model.step = 1.0 / frequency;
+  if (reader.read("planner_frequency", frequency)) {
+    requireFrequency(frequency);
+    model.step = 1.0 / frequency;
+  }
   reader.read("xy_goal_tolerance", model.goal_tolerance);
   reader.read("model/horizon", model.horizon);
   reader.read("model/discount", model.discount_per_second);
@@ -161,15 +164,16 @@ void readSafety(ParamReader& reader, NavigationParams& params) {
 
 }  // namespace
 
-NavigationParams loadNavigationParams(ParamReader& reader) {
-  NavigationParams params;
-  params.planning.model.step = 0.5;
+void readNavigationParams(ParamReader& reader, NavigationParams& params) {
   reader.read("planner", params.planner);
   readPlanning(reader, params.planning);
   readSafety(reader, params);
   reader.read("search_time", params.search_time);
   reader.read("controller_frequency", params.controller_frequency);
   reader.read("yaw_goal_tolerance", params.yaw_goal_tolerance);
+}
+
+void validate(const NavigationParams& params) {
   requireKnownPlanner(params.planner);
   requireDrives(params.planner, params.planning.model.vehicle.kind);
   validate(params.planning);
@@ -179,6 +183,14 @@ NavigationParams loadNavigationParams(ParamReader& reader) {
   requireHeadingWithin(params);
   requirePositive("odom_timeout", params.odom_timeout);
   requirePositive("people_timeout", params.people_timeout);
+  requireWithinRanges(valuesOf(params));
+}
+
+NavigationParams loadNavigationParams(ParamReader& reader) {
+  NavigationParams params;
+  params.planning.model.step = 0.5;
+  readNavigationParams(reader, params);
+  validate(params);
   return params;
 }
 

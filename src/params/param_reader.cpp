@@ -47,7 +47,7 @@ std::string closest(const std::string& key, const std::set<std::string>& known) 
 template <typename T>
 bool ParamReader::readAs(const std::string& key, T& field) {
   known_.insert(key);
-  T value{};
+  T value = field;
   if (!get(key, value)) return false;
   field = std::move(value);
   return true;

@@ -27,6 +27,10 @@ CommandLoop::CommandLoop(const PlannerNodeParams& params)
   limits_.map = params.map_timeout;
 }
 
+void CommandLoop::setParams(const NavigationParams& params) {
+  emergency_ = EmergencyOverride(params.emergency, vehicle_, params.planning.model.step);
+}
+
 CommandLoop::Tick CommandLoop::tick(double now, Drive& drive) {
   if (drive.hasGoal()) {
     last_yaw_rate_ = 0.0;

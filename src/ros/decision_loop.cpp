@@ -9,7 +9,6 @@
 #include <tuple>
 
 #include "pomdp_crowd_nav/evaluation/reachability.h"
-#include "pomdp_crowd_nav/planner/planner_factory.h"
 #include "pomdp_crowd_nav/ros/steady_time.h"
 
 namespace pomdp_crowd_nav {
@@ -62,6 +61,7 @@ DecisionLoop::DecisionLoop(const PlannerNodeParams& params, Guarded<Drive>& driv
       emergency_(params.navigation.emergency, params.navigation.planning.model.vehicle,
                  params.navigation.planning.model.step),
       schedule_(params.navigation.planning.model.step, params.navigation.search_time),
+      planner_(params.destinations),
       thread_([this] { run(); }) {}
 
 DecisionLoop::~DecisionLoop() {
@@ -88,26 +88,52 @@ void DecisionLoop::run() {
 
 // Builds the planner when the goal or the map is another one, and looks for a way.
 void DecisionLoop::prepare() {
-  const auto [goal, map, robot] = drive_.with([](Drive& drive) {
-    return std::make_tuple(drive.goal, drive.inputs.map, drive.inputs.robot);
+  const auto [goal, map, robot, params] = drive_.with([](Drive& drive) {
+    return std::make_tuple(drive.goal, drive.inputs.map, drive.inputs.robot, drive.params);
   });
-  const bool stands = goal.number == goal_.number && map == map_;
-  if (goal.number == 0 || !map || !robot || stands) return;
+  if (goal.number == 0 || !map || !robot) return;
+  if (goal.number == goal_.number && map == map_) return followParams(params, robot->pose);
   goal_ = goal;
   map_ = map;
-  planner_.reset();
   drive_.with([](Drive& drive) { drive.prepared = false; });
   try {
-    const Task task{*map, goal.pose.position, params_.destinations};
-    planner_ = makePlanner(params_.navigation.planner, task, params_.navigation.planning);
-    const std::string no_way = whyNoWay(planner_->globalPath(robot->pose.position),
-                                        goal.pose.position, *map, params_.navigation);
+    const double begin = steadySeconds();
+    adoptParams(params);
+    planner_.start(goal.pose.position, map, params);
+    const std::string no_way = whyNoWayFrom(robot->pose);
     if (!no_way.empty()) return giveUp(no_way);
+    ROS_INFO("planner %s is ready after %.2f s", params->planner.c_str(), steadySeconds() - begin);
   } catch (const std::exception& error) {
     return giveUp(error.what());
   }
   drive_.with([&](Drive& drive) { drive.prepared = drive.goal.number == goal.number; });
   is_driving_ = false;
+}
+
+// What may change on a trip. The base goes on with the planner that stands.
+void DecisionLoop::followParams(const TripPlanner::Params& params, const Pose& robot) {
+  if (!planner_.isReady()) return;
+  try {
+    if (params != navigation_) adoptParams(params);
+    if (!planner_.follow(params)) return;
+    const std::string no_way = whyNoWayFrom(robot);
+    if (!no_way.empty()) return giveUp(no_way);
+    ROS_INFO("planner %s goes on with the new parameters", planner_.params().planner.c_str());
+  } catch (const std::exception& error) {
+    giveUp(error.what());
+  }
+}
+
+void DecisionLoop::adoptParams(const TripPlanner::Params& params) {
+  const ModelParams& model = params->planning.model;
+  emergency_ = EmergencyOverride(params->emergency, model.vehicle, model.step);
+  schedule_.setSearchTime(params->search_time);
+  navigation_ = params;
+}
+
+std::string DecisionLoop::whyNoWayFrom(const Pose& robot) const {
+  return whyNoWay(planner_.planner().globalPath(robot.position), goal_.pose.position, *map_,
+                  planner_.params());
 }
 
 void DecisionLoop::giveUp(const std::string& reason) {
@@ -165,15 +191,15 @@ void DecisionLoop::decide(const DecisionSlot& slot) {
   try {
     const Decision decision = think(*snapshot, slot);
     handOver(*snapshot, decision, slot.effect);
-    callbacks_.decided({goal_, snapshot->situation, snapshot->robot, decision}, *planner_);
+    callbacks_.decided({goal_, snapshot->situation, snapshot->robot, decision}, planner_.planner());
   } catch (const std::exception& error) {
     giveUp(error.what());
   }
 }
 
 Decision DecisionLoop::think(const Snapshot& snapshot, const DecisionSlot& slot) {
-  Decision decision =
-      planner_->decide(snapshot.situation, SearchLimit::until(toSteadyTime(slot.deadline)));
+  Decision decision = planner_.planner().decide(snapshot.situation,
+                                                SearchLimit::until(toSteadyTime(slot.deadline)));
   const VehicleState& vehicle = snapshot.situation.vehicle;
   if (const auto action = emergency_.replace(vehicle, snapshot.tracks)) {
     emergency_.apply(*action, vehicle, decision);

@@ -19,9 +19,11 @@ constexpr int kReportsPerDiagnostics = 4;  // 1 Hz
 constexpr int kReportsBeforeWarning = 5;   // of the status: 2.5 s
 constexpr int kReportsPerWarning = 20;     // 10 s
 
-MotionExecutor makeExecutor(const NavigationParams& params) {
-  return MotionExecutor(params.command, params.planning.model.vehicle,
-                        1.0 / params.controller_frequency);
+Drive makeDrive(const NavigationParams& params) {
+  Drive drive(MotionExecutor(params.command, params.planning.model.vehicle,
+                             1.0 / params.controller_frequency));
+  drive.params = std::make_shared<const NavigationParams>(params);
+  return drive;
 }
 
 }  // namespace
@@ -29,7 +31,7 @@ MotionExecutor makeExecutor(const NavigationParams& params) {
 NavigationServer::NavigationServer(ros::NodeHandle node, ros::NodeHandle private_node,
                                    const PlannerNodeParams& params)
     : params_(params),
-      drive_(Drive(makeExecutor(params.navigation))),
+      drive_(makeDrive(params.navigation)),
       command_loop_(params),
       inputs_(node, params, drive_),
       display_(private_node, params.frames.global, params.destinations),
@@ -43,6 +45,8 @@ NavigationServer::NavigationServer(ros::NodeHandle node, ros::NodeHandle private
           params, drive_,
           {[this](const auto& report, const Planner& planner) { reportDecision(report, planner); },
            [this](const Goal& goal, const std::string& why) { failTrip(goal, why); }}),
+      reconfiguration_(private_node, params.navigation,
+                       [this](const NavigationParams& changed) { return adoptParams(changed); }),
       command_spinner_(1, &command_queue_) {
   command_timer_ = startTimer(node, 1.0 / params.navigation.controller_frequency, &command_queue_,
                               &NavigationServer::onCommandTimer);
@@ -80,8 +84,9 @@ std::optional<Pose> NavigationServer::checkGoal(const geometry_msgs::PoseStamped
     return std::nullopt;
   }
   const Pose pose = transformed(*frame, *local);
-  const auto map = drive_.with([](Drive& drive) { return drive.inputs.map; });
-  if (map) reason = whyNotAPlace(pose.position, *map, params_.navigation.planning.model);
+  const auto [map, params] =
+      drive_.with([](Drive& drive) { return std::make_pair(drive.inputs.map, drive.params); });
+  if (map) reason = whyNotAPlace(pose.position, *map, params->planning.model);
   return reason.empty() ? std::optional<Pose>(pose) : std::nullopt;
 }
 
@@ -109,6 +114,18 @@ void NavigationServer::failTrip(const Goal& goal, const std::string& reason) {
   drive_.with([&](Drive& drive) {
     if (drive.goal.number != goal.number) return;
     endTrip(Outcome::kFailed, reason, steadySeconds(), drive);
+  });
+}
+
+std::string NavigationServer::adoptParams(const NavigationParams& params) {
+  return drive_.with([&](Drive& drive) -> std::string {
+    const bool is_idle = !drive.hasGoal() && !drive.ending;
+    if (!is_idle && params.planner != drive.params->planner) {
+      return "planner can be changed only while no trip is under way";
+    }
+    command_loop_.setParams(params);
+    drive.params = std::make_shared<const NavigationParams>(params);
+    return "";
   });
 }
 
@@ -177,17 +194,17 @@ bool NavigationServer::onMakePlan(nav_msgs::GetPlan::Request& request,
   std::string reason;
   const std::optional<Pose> start = checkGoal(request.start, reason);
   const std::optional<Pose> goal = start ? checkGoal(request.goal, reason) : std::nullopt;
-  const auto map = drive_.with([](Drive& drive) { return drive.inputs.map; });
+  const auto [map, params] =
+      drive_.with([](Drive& drive) { return std::make_pair(drive.inputs.map, drive.params); });
   if (!goal || !map) {
     ROS_WARN("make_plan: %s", reason.empty() ? "no map yet" : reason.c_str());
     return false;
   }
   try {
-    const auto planner =
-        makePlanner(params_.navigation.planner, Task{*map, goal->position, params_.destinations},
-                    params_.navigation.planning);
+    const auto planner = makePlanner(
+        params->planner, Task{*map, goal->position, params_.destinations}, params->planning);
     const std::vector<Point> path = planner->globalPath(start->position);
-    reason = whyNoWay(path, goal->position, *map, params_.navigation);
+    reason = whyNoWay(path, goal->position, *map, *params);
     if (!reason.empty()) {
       ROS_WARN("make_plan: %s", reason.c_str());
       return false;

@@ -37,5 +37,29 @@ TEST(DecisionSchedule, SlotsThatWereSleptThroughAreLeftOut) {
   EXPECT_EQ(schedule.next(slot.effect).left_out, 0);
 }
 
+TEST(DecisionSchedule, AShorterSearchBeginsWithTheNextDecision) {
+  DecisionSchedule schedule(0.5, 0.3);
+  schedule.restart(100.0);
+  const double first = schedule.next(100.0).effect;
+  schedule.setSearchTime(0.1);
+  const DecisionSlot slot = schedule.next(first);
+  EXPECT_NEAR(slot.deadline - slot.start, 0.1, 1e-9);
+  EXPECT_NEAR(slot.effect - first, 0.5, 1e-9);
+}
+
+TEST(DecisionSchedule, ALongerSearchLeavesNoDecisionOut) {
+  DecisionSchedule schedule(0.5, 0.1);
+  schedule.restart(100.0);
+  const double first = schedule.next(100.0).effect;
+  schedule.setSearchTime(2.0);
+  const double just_in_time = first + 0.5 - 0.15;
+  const DecisionSlot second = schedule.next(just_in_time);
+  EXPECT_EQ(second.left_out, 0);
+  EXPECT_NEAR(second.effect - first, 0.5, 1e-9);
+  const DecisionSlot third = schedule.next(second.effect);
+  EXPECT_EQ(third.left_out, 0);
+  EXPECT_NEAR(third.deadline - third.start, 0.5 - 3.0 * DecisionSchedule::kMargin, 1e-9);
+}
+
 }  // namespace
 }  // namespace pomdp_crowd_nav

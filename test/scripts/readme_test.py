@@ -2,13 +2,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Compares what README.md says with the code: readme_test.py SOURCE_FOLDER
 
-Parameters with their nodes and defaults, keys of worlds and profiles, options and columns of the
+Parameters with their nodes, defaults and ranges in flight, keys of worlds and profiles, options and columns of the
 tools, arguments of the launch file, build folders, commands, relative links. Prints a line for each difference; exit status
 1 when there is any.
 """
 import pathlib
 import re
+import runpy
+import subprocess
 import sys
+import types
 
 import yaml
 
@@ -111,6 +114,65 @@ def check_parameters(root, tables):
     compare("key of a world", set(tables.get("World file", {})), set(world) | {"polygons"})
 
 
+def cfg_of(root):
+    """What cfg/Planner.cfg declares: {name: (default, lowest, highest, choices)}"""
+    declared = {}
+
+    class Generator:
+        def const(self, name, kind, value, about):
+            return value
+
+        def enum(self, constants, about):
+            return constants
+
+        def add(self, name, kind, level, about, default, lowest=None, highest=None,
+                edit_method=None):
+            declared[name] = (default, lowest, highest, edit_method)
+
+        def generate(self, *names):
+            return 0
+
+    module = types.ModuleType("parameter_generator_catkin")
+    module.ParameterGenerator = Generator
+    module.bool_t, module.int_t, module.double_t, module.str_t = "bool", "int", "double", "str"
+    sys.modules["dynamic_reconfigure"] = types.ModuleType("dynamic_reconfigure")
+    sys.modules["dynamic_reconfigure.parameter_generator_catkin"] = module
+    try:
+        runpy.run_path(str(root / "cfg/Planner.cfg"))
+    except SystemExit:
+        pass
+    return declared
+
+
+def check_reconfigurable(root, tables):
+    """Table, README and cfg say the same; the C++ tests compare the table with the code."""
+    tool = root / "scripts/list_parameters.py"
+    check = subprocess.run([sys.executable, tool, "--check", root / "README.md"], text=True,
+                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
+    if check.returncode != 0:
+        problems.append(f"run scripts/list_parameters.py --readme README.md: {check.stdout}")
+    profile = yaml.safe_load(subprocess.run([sys.executable, tool, "--profile"], text=True,
+                                            stdout=subprocess.PIPE, check=True).stdout)
+    rows = tables.get("Of a profile", {})
+    compare("key of the profile of defaults", set(rows) | set(
+        tables.get("Of a profile, for the simulator", {})), set(leaves_of(profile)))
+
+    declared = cfg_of(root)
+    changing = {key: cells for key, cells in rows.items() if cells[3]}
+    compare("parameter of Planner.cfg", {key.replace("/", "_") for key in changing}, set(declared))
+    for key, (_, default, limits, change, *_) in changing.items():
+        preset, lowest, highest, choices = declared.get(key.replace("/", "_"), (None,) * 4)
+        if normal(default) != normal(str(preset).lower()):
+            problems.append(f"default of {key}: {default} in the README, {preset} in Planner.cfg")
+        said = limits.split("; ")[0]
+        meant = (", ".join(f"`{word}`" for word in choices) if choices else
+                 "" if lowest is None else f"{lowest:g} to {highest:g}")
+        if said != meant:
+            problems.append(f"range of {key}: {said} in the README, {meant} in Planner.cfg")
+        if change not in ("in flight", "when idle"):
+            problems.append(f"change of {key}: '{change}'")
+
+
 def check_tools(root, text):
     for path in sorted((root / "src/tools").glob("*.cpp")):
         source = path.read_text()
@@ -160,6 +222,7 @@ def main():
     root = pathlib.Path(sys.argv[1])
     text = (root / "README.md").read_text()
     check_parameters(root, tables_of(text))
+    check_reconfigurable(root, tables_of(text))
     check_tools(root, text)
     check_build_folders(text)
     check_commands(root)

@@ -27,8 +27,15 @@ struct NavigationParams {
   double transform_tolerance = 0.2;    // [s]
 };
 
-// Reads the keys of a profile, ROS names where ROS has a name (README, parameters). What is absent
-// keeps its default, planner_frequency 2 Hz.
+// Reads the keys of a profile over the present values, and checks that they are words it knows.
+void readNavigationParams(ParamReader& reader, NavigationParams& params);
+
+// Throws std::invalid_argument, one line naming the key, for a value out of range and for values
+// that do not go together.
+void validate(const NavigationParams& params);
+
+// Both, over the defaults, with planner_frequency 2 Hz. Keys are ROS names where ROS has a name
+// (README, parameters).
 // Throws std::runtime_error (type) or std::invalid_argument (range), one line naming the key.
 NavigationParams loadNavigationParams(ParamReader& reader);
 

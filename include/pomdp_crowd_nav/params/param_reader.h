@@ -32,7 +32,8 @@ class ParamReader {
   void requireAllUsed() const;
 
  protected:
-  // Each returns false when the key is absent and throws when the value does not fit.
+  // Each returns false when the key is absent and throws when the value does not fit. `value` comes
+  // in as the field is now.
   virtual bool get(const std::string& key, double& value) const = 0;
   virtual bool get(const std::string& key, int& value) const = 0;
   virtual bool get(const std::string& key, bool& value) const = 0;

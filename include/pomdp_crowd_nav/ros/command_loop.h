@@ -22,6 +22,9 @@ class CommandLoop {
   // `now` [s], steady clock.
   Tick tick(double now, Drive& drive);
 
+  // Of what may change in flight.
+  void setParams(const NavigationParams& params);
+
   const InputLimits& limits() const { return limits_; }
 
  private:

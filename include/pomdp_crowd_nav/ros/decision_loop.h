@@ -5,12 +5,14 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <thread>
 
 #include "pomdp_crowd_nav/control/emergency_override.h"
 #include "pomdp_crowd_nav/ros/decision_schedule.h"
 #include "pomdp_crowd_nav/ros/drive.h"
 #include "pomdp_crowd_nav/ros/guarded.h"
+#include "pomdp_crowd_nav/ros/trip_planner.h"
 
 namespace pomdp_crowd_nav {
 
@@ -47,6 +49,9 @@ class DecisionLoop {
 
   void run();
   void prepare();
+  void followParams(const TripPlanner::Params& params, const Pose& robot);
+  void adoptParams(const TripPlanner::Params& params);
+  std::string whyNoWayFrom(const Pose& robot) const;
   void decide(const DecisionSlot& slot);
   void giveUp(const std::string& reason);
   bool mayDrive(double now);
@@ -67,7 +72,8 @@ class DecisionLoop {
   // The trip that the planner stands for.
   Goal goal_;
   std::shared_ptr<const StaticMap> map_;
-  std::unique_ptr<Planner> planner_;
+  TripPlanner planner_;
+  TripPlanner::Params navigation_;  // of the override and the schedule
 
   std::atomic<bool> stop_{false};
   std::thread thread_;

@@ -19,6 +19,10 @@ class DecisionSchedule {
   // A search that does not fit into the step is shortened.
   DecisionSchedule(double step, double search_time);
 
+  // Holds from the next decision on; a longer search from the one after, for the time of the next
+  // may be running already.
+  void setSearchTime(double search_time);
+
   // The first decision takes effect as soon as one can be made from `now` on.
   void restart(double now);
 
@@ -30,7 +34,8 @@ class DecisionSchedule {
 
  private:
   double step_;
-  double search_time_;
+  double search_time_;       // [s], of the next decision
+  double next_search_time_;  // [s], of those after it
   double next_effect_ = 0.0;
 };
 

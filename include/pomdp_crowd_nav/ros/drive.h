@@ -79,6 +79,7 @@ struct TripCounts {
 
 // The one thing that callbacks, planning thread and command timer share.
 struct Drive {
+  std::shared_ptr<const NavigationParams> params;  // the newest, see Reconfiguration
   Inputs inputs;
   Goal goal;  // number 0: none
   std::optional<Ending> ending;

@@ -12,6 +12,7 @@
 #include "pomdp_crowd_nav/ros/goal_server.h"
 #include "pomdp_crowd_nav/ros/input_listener.h"
 #include "pomdp_crowd_nav/ros/navigation_display.h"
+#include "pomdp_crowd_nav/ros/reconfiguration.h"
 #include "pomdp_crowd_nav/ros/status_reporter.h"
 
 namespace pomdp_crowd_nav {
@@ -35,6 +36,7 @@ class NavigationServer {
   void startTrip(const Goal& goal);
   void cancelTrip();
   void failTrip(const Goal& goal, const std::string& reason);
+  std::string adoptParams(const NavigationParams& params);
   void reportDecision(const DecisionReport& report, const Planner& planner);
 
   void onCommandTimer();
@@ -62,6 +64,7 @@ class NavigationServer {
   GoalServer goals_;
   ros::ServiceServer pause_, make_plan_;
   DecisionLoop decisions_;
+  Reconfiguration reconfiguration_;
 
   ros::CallbackQueue command_queue_;
   ros::AsyncSpinner command_spinner_;
