@@ -61,6 +61,7 @@ class FakeRobot {
     people_ = node_.advertise<Foreign<TrackedPersons>>("tracked_persons", 1);
     commands_ = node_.subscribe("cmd_vel", 1, &FakeRobot::onCommand, this);
     thread_ = std::thread([this] { run(); });
+    people_thread_ = std::thread([this] { runPeople(); });
   }
 
   // [m/s], of the base itself.
@@ -69,6 +70,7 @@ class FakeRobot {
   ~FakeRobot() {
     stop_ = true;
     thread_.join();
+    people_thread_.join();
   }
 
  private:
@@ -83,16 +85,24 @@ class FakeRobot {
   void run() {
     for (int i = 0; !stop_; ++i) {
       if (!is_clock_frozen) time_ += kPeriod;
-      stamp_ = ros::Time(clock_offset + time_);
+      ros_time_ = clock_offset + time_;
+      stamp_ = ros::Time(ros_time_);
       rosgraph_msgs::Clock clock;
       clock.clock = stamp_;
       clock_.publish(clock);
       move();
       if (!is_transform_silent) publishTransform();
       if (!is_odometry_silent) publishOdometry();
-      if (!are_people_silent && i % 5 == 0) publishPeople();
       if (!is_map_silent && i % 25 == 0) maps_.publish(map_);
       std::this_thread::sleep_for(std::chrono::duration<double>(kPeriod));
+    }
+  }
+
+  // Apart from the rest, as a tracker is: however many people there are, the base is not delayed.
+  void runPeople() {
+    while (!stop_) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+      if (!are_people_silent && ros_time_ > 0.0) publishPeople();
     }
   }
 
@@ -130,11 +140,11 @@ class FakeRobot {
   }
 
   void publishPeople() {
-    TrackedPersons people;
-    people.header.frame_id = "map";
-    people.header.stamp = stamp_;
-    people_spoiler.apply(people);
-    people_.publish(Foreign<TrackedPersons>{people});
+    Foreign<TrackedPersons> people;
+    people.message.header.frame_id = "map";
+    people.message.header.stamp = ros::Time(ros_time_);
+    people_spoiler.apply(people.message);
+    people_.publish(people);
   }
 
   ros::NodeHandle node_;
@@ -144,10 +154,11 @@ class FakeRobot {
   tf2_ros::TransformBroadcaster transforms_;
   std::atomic<double> x_velocity_{0.0}, y_velocity_{0.0}, yaw_rate_{0.0};
   double time_ = 0.0;
+  std::atomic<double> ros_time_{0.0};  // [s]
   ros::Time stamp_;
   Pose pose_;  // in odom
   std::atomic<bool> stop_{false};
-  std::thread thread_;
+  std::thread thread_, people_thread_;
 };
 
 }  // namespace pomdp_crowd_nav

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <iostream>
+
 #include "diagnostics_listener.h"
 #include "fake_robot.h"
 #include "fault_probe.h"
@@ -49,6 +51,7 @@ class InputsTest : public testing::Test {
     client_.cancel();
     EXPECT_TRUE(client_.waitForEnd(10.0));
     EXPECT_TRUE(client_.areCommandsFinite());
+    if (HasFailure()) std::cout << "causes reported:\n" << client_.causes() << std::endl;
   }
 
   auto isAtRest() {
@@ -276,7 +279,8 @@ TEST_F(InputsTest, IdsThatChangeAllTheTimeStopNothing) {
     first += 20;
   });
   expectDriveOn({"ids that switch in every message", 0.25}, 3.0);
-  EXPECT_EQ(client_.status().people, 20u);
+  EXPECT_GE(client_.status().people, 20u);
+  EXPECT_LE(client_.status().people, 200u);  // those of the last sweeps may be remembered
   robot_.people_spoiler.set({});
 }
 
@@ -339,6 +343,8 @@ People twoPeople() {
 }
 
 TEST_F(InputsTest, PublishersOfPeopleMsgsAreHeardWhileNobodyElseSpeaks) {
+  const LogListener log;
+  EXPECT_TRUE(client_.waitUntil(5.0, [&] { return log.isConnected(); }));
   ros::Publisher publisher = ros::NodeHandle().advertise<Foreign<People>>("people", 1);
   const auto publishUntil = [&](double timeout, const std::function<bool()>& condition) {
     int ticks = 0;
@@ -347,8 +353,6 @@ TEST_F(InputsTest, PublishersOfPeopleMsgsAreHeardWhileNobodyElseSpeaks) {
       return condition();
     });
   };
-  EXPECT_TRUE(publishUntil(5.0, [&] { return publisher.getNumSubscribers() > 0; }));
-  const LogListener log;
   EXPECT_TRUE(publishUntil(5.0, [&] { return log.has("people come on two topics"); }));
   EXPECT_EQ(client_.status().people_topic, "/tracked_persons");
   EXPECT_EQ(client_.status().people, 0u);

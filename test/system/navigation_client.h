@@ -21,6 +21,9 @@ class LogListener {
  public:
   LogListener() { subscriber_ = node_.subscribe("/rosout", 100, &LogListener::onLog, this); }
 
+  // To another node than its own.
+  bool isConnected() const { return subscriber_.getNumPublishers() > 1; }
+
   bool has(const std::string& text) const { return log_.find(text) != std::string::npos; }
 
  private:
@@ -103,6 +106,7 @@ class NavigationClient {
   bool hasReported(const std::string& cause) const {
     return causes_.find(cause) != std::string::npos;
   }
+  const std::string& causes() const { return causes_; }
   void forgetCauses() { causes_.clear(); }
 
  private:
