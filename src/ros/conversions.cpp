@@ -4,11 +4,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pomdp_crowd_nav/params/number_text.h"
+
 namespace pomdp_crowd_nav {
 namespace {
 
-Point toPoint(const geometry_msgs::Point& p) { return {p.x, p.y}; }
-Point toPoint(const geometry_msgs::Vector3& v) { return {v.x, v.y}; }
+constexpr std::uint64_t kIdMask = 0x7fffffffffffffffULL;  // ids are not negative
+
+// A denormal number is nothing that a sensor measures; it only makes arithmetic slow.
+double flushed(double value) { return std::fpclassify(value) == FP_SUBNORMAL ? 0.0 : value; }
+
+Point toPoint(const geometry_msgs::Point& p) { return {flushed(p.x), flushed(p.y)}; }
+Point toPoint(const geometry_msgs::Vector3& v) { return {flushed(v.x), flushed(v.y)}; }
 
 // Yaw of a rotation; none when the quaternion is far from unit length.
 std::optional<double> toYaw(const geometry_msgs::Quaternion& q) {
@@ -21,6 +28,17 @@ std::optional<Pose> toPose(const Point& position, const geometry_msgs::Quaternio
   const std::optional<double> yaw = toYaw(orientation);
   if (!yaw || !position.allFinite()) return std::nullopt;
   return Pose{position, *yaw};
+}
+
+// `local` is in the frame.
+void addTrack(const Track& local, const Pose& frame, TrackList& list) {
+  Track track;
+  track.id = local.id;
+  track.position = transformed(frame, local.position);
+  track.velocity = rotated(frame.heading, local.velocity);
+  if (!track.position.allFinite()) return;
+  if (!track.velocity.allFinite()) track.velocity = Point(0.0, 0.0);
+  list.tracks.push_back(track);
 }
 
 geometry_msgs::Quaternion toQuaternion(double yaw) {
@@ -66,7 +84,7 @@ std::optional<Pose> toPose(const geometry_msgs::Transform& transform) {
 }
 
 std::optional<BaseCommand> toCommand(const geometry_msgs::Twist& twist) {
-  const BaseCommand command{toPoint(twist.linear), twist.angular.z};
+  const BaseCommand command{toPoint(twist.linear), flushed(twist.angular.z)};
   if (!command.velocity.allFinite() || !std::isfinite(command.yaw_rate)) return std::nullopt;
   return command;
 }
@@ -88,15 +106,31 @@ TrackList toTracks(const TrackedPersons& persons, const Pose& frame) {
   TrackList list;
   list.stamp = persons.header.stamp.toSec();
   for (const TrackedPerson& person : persons.tracks) {
-    Track track;
-    track.id = static_cast<std::int64_t>(person.track_id);
-    track.position = transformed(frame, toPoint(person.pose.pose.position));
-    track.velocity = rotated(frame.heading, toPoint(person.twist.twist.linear));
-    if (!track.position.allFinite()) continue;
-    if (!track.velocity.allFinite()) track.velocity = Point(0.0, 0.0);
-    list.tracks.push_back(track);
+    addTrack({static_cast<std::int64_t>(person.track_id & kIdMask),
+              toPoint(person.pose.pose.position), toPoint(person.twist.twist.linear)},
+             frame, list);
   }
   return list;
+}
+
+TrackList toTracks(const People& people, const Pose& frame) {
+  TrackList list;
+  list.stamp = people.header.stamp.toSec();
+  for (const Person& person : people.people) {
+    addTrack({idOfName(person.name), toPoint(person.position), toPoint(person.velocity)}, frame,
+             list);
+  }
+  return list;
+}
+
+std::int64_t idOfName(const std::string& name) {
+  if (const auto number = parseInteger(name); number && *number >= 0) return *number;
+  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  for (const char character : name) {
+    hash = (hash ^ static_cast<unsigned char>(character)) * 0x100000001b3ULL;
+  }
+  constexpr std::uint64_t kNextBit = 1ULL << 62;
+  return static_cast<std::int64_t>((hash & kIdMask) | kNextBit);
 }
 
 geometry_msgs::Point toMessage(const Point& point, double z) {

@@ -1,26 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pomdp_crowd_nav/ros/drive.h"
 
-#include <algorithm>
-
 namespace pomdp_crowd_nav {
 namespace {
 
-bool happenedWithin(double moment, double duration, double now) {
-  return moment >= 0.0 && now - moment <= duration;
-}
-
 double age(double moment, double now) { return moment < 0.0 ? -1.0 : now - moment; }
 
-StopCause missingOdometry(const Inputs& inputs, const InputLimits& limits, double now) {
-  if (inputs.robot && now - inputs.robot->measured_at <= limits.odometry) return StopCause::kNone;
-  if (happenedWithin(inputs.bad_odometry_at, limits.odometry, now)) {
-    return StopCause::kOdometryNotFinite;
-  }
-  if (happenedWithin(inputs.transform_failure_at, limits.odometry, now)) {
-    return StopCause::kNoTransform;
-  }
-  return StopCause::kNoOdometry;
+// Messages of all inputs that were refused for one reason.
+unsigned refused(const Inputs& inputs, MessageFault fault) {
+  return inputs.odometry_traffic.count(fault) + inputs.people_traffic.count(fault) +
+         inputs.map_traffic.count(fault);
+}
+
+void reportInputs(const Inputs& inputs, double now, PlannerStatus& status) {
+  status.odom_age = inputs.robot ? now - inputs.robot->measured_at : -1.0;
+  status.people_age = age(inputs.tracks_at, now);
+  status.map_age = age(inputs.map_at, now);
+  status.clock_age = age(inputs.clock_at, now);
+  status.clock_jumps = inputs.clock_jumps;
+  status.bad_odometry = inputs.odometry_traffic.count(MessageFault::kNotFinite) +
+                        inputs.odometry_traffic.count(MessageFault::kOutOfRange);
+  status.transform_failures =
+      refused(inputs, MessageFault::kNoFrameName) + refused(inputs, MessageFault::kNoTransform) +
+      refused(inputs, MessageFault::kOldTransform) + refused(inputs, MessageFault::kBadTransform);
+  status.future_stamps = refused(inputs, MessageFault::kFuture);
+  status.missing_stamps = refused(inputs, MessageFault::kUnstamped);
+  status.out_of_order = refused(inputs, MessageFault::kOutOfOrder);
+  status.people_topic = inputs.people_traffic.topic;
+  status.people = static_cast<std::uint32_t>(inputs.tracks.tracks.size());
+  status.bad_people = inputs.left_out.bad;
+  status.duplicate_ids = inputs.left_out.duplicates;
+  status.surplus_people = inputs.left_out.surplus;
 }
 
 std::uint8_t stateOf(const Drive& drive, StopCause cause) {
@@ -49,58 +59,6 @@ const char* nameOf(std::uint8_t state) {
 
 }  // namespace
 
-const char* describe(StopCause cause) {
-  switch (cause) {
-    case StopCause::kNone:
-      return "";
-    case StopCause::kNoOdometry:
-      return "odometry is silent or too old";
-    case StopCause::kOdometryNotFinite:
-      return "odometry is not finite";
-    case StopCause::kNoTransform:
-      return "no transform to the global frame";
-    case StopCause::kNoPeople:
-      return "tracked people are silent or too old";
-    case StopCause::kWatchingPeople:
-      return "watching people before the start";
-    case StopCause::kNoMap:
-      return "the map is missing or too old";
-    case StopCause::kJumped:
-      return "the clock or the robot's pose jumped";
-    case StopCause::kPreparing:
-      return "the way to the goal is being worked out";
-    case StopCause::kNoDecision:
-      return "no decision in time";
-    case StopCause::kEmergency:
-      return "emergency brake, a person is too close";
-    case StopCause::kPaused:
-      return "paused";
-  }
-  return "";
-}
-
-bool isPoseJump(const RobotReading& from, const RobotReading& to, double max_speed) {
-  constexpr double kSlack = 1.0;  // [m], corrections of the localisation are smaller
-  const double way = (to.pose.position - from.pose.position).norm();
-  return way > max_speed * std::max(0.0, to.measured_at - from.measured_at) + kSlack;
-}
-
-StopCause missingInput(const Inputs& inputs, const InputLimits& limits, double now) {
-  if (!inputs.map || (limits.map > 0.0 && now - inputs.map_at > limits.map)) {
-    return StopCause::kNoMap;
-  }
-  const bool jumped = happenedWithin(inputs.jump_at, limits.people, now);
-  const StopCause odometry = missingOdometry(inputs, limits, now);
-  if (odometry != StopCause::kNone) return jumped ? StopCause::kJumped : odometry;
-  if (!happenedWithin(inputs.tracks_at, limits.people, now)) {
-    return jumped ? StopCause::kJumped : StopCause::kNoPeople;
-  }
-  if (inputs.tracks_at - inputs.first_tracks_at < limits.watching) {
-    return jumped ? StopCause::kJumped : StopCause::kWatchingPeople;
-  }
-  return StopCause::kNone;
-}
-
 StopCause stopCause(const Drive& drive, const InputLimits& limits, double now) {
   if (!drive.hasGoal()) return StopCause::kNone;
   if (drive.paused) return StopCause::kPaused;
@@ -116,12 +74,8 @@ PlannerStatus toStatus(const Drive& drive, const InputLimits& limits, double now
   PlannerStatus status;
   status.state = stateOf(drive, cause);
   status.state_name = nameOf(status.state);
-  status.stop_cause = drive.ending ? drive.ending->text : describe(cause);
-  status.odom_age = drive.inputs.robot ? now - drive.inputs.robot->measured_at : -1.0;
-  status.people_age = age(drive.inputs.tracks_at, now);
-  status.map_age = age(drive.inputs.map_at, now);
-  status.bad_odometry = drive.inputs.bad_odometry;
-  status.transform_failures = drive.inputs.transform_failures;
+  status.stop_cause = drive.ending ? drive.ending->text : explain(cause, drive.inputs);
+  reportInputs(drive.inputs, now, status);
   status.cycle_time = drive.cycle_time;
   status.trials = static_cast<std::uint32_t>(drive.search.trials);
   status.tree_size = static_cast<std::uint32_t>(drive.search.belief_nodes);

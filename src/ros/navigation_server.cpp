@@ -164,7 +164,10 @@ void NavigationServer::onReportTimer() {
   if (map) display_.setSymbolSize(symbolSize(map->bounds()));
   display_.showBeliefs(crowd);
   if (++reports_ % 2 == 0) warnOfMissingInput(publishStatus());
-  if (reports_ % kReportsPerDiagnostics == 0) status_.publishDiagnostics();
+  if (reports_ % kReportsPerDiagnostics != 0) return;
+  status_.publishDiagnostics(drive_.with([this](Drive& drive) {
+    return inputHealth(drive.inputs, command_loop_.limits(), steadySeconds());
+  }));
 }
 
 PlannerStatus NavigationServer::publishStatus() {

@@ -3,10 +3,27 @@
 
 #include <diagnostic_msgs/DiagnosticStatus.h>
 
+#include <iterator>
+
 namespace pomdp_crowd_nav {
 
 using diagnostic_msgs::DiagnosticStatus;
 using diagnostic_updater::DiagnosticStatusWrapper;
+
+namespace {
+
+std::uint8_t levelOf(InputHealth::Level level) {
+  switch (level) {
+    case InputHealth::Level::kWarning:
+      return DiagnosticStatus::WARN;
+    case InputHealth::Level::kError:
+      return DiagnosticStatus::ERROR;
+    default:
+      return DiagnosticStatus::OK;
+  }
+}
+
+}  // namespace
 
 StatusReporter::StatusReporter(ros::NodeHandle& node, ros::NodeHandle& private_node,
                                const std::string& hardware_id)
@@ -15,6 +32,10 @@ StatusReporter::StatusReporter(ros::NodeHandle& node, ros::NodeHandle& private_n
   updater_.setHardwareID(hardware_id);
   updater_.add("navigation state", this, &StatusReporter::diagnoseState);
   updater_.add("planning cycle", this, &StatusReporter::diagnoseTiming);
+  for (size_t i = 0; i < std::size(kInputNames); ++i) {
+    updater_.add(kInputNames[i],
+                 [this, i](DiagnosticStatusWrapper& out) { diagnoseInput(i, out); });
+  }
 }
 
 void StatusReporter::publish(PlannerStatus status) {
@@ -24,7 +45,13 @@ void StatusReporter::publish(PlannerStatus status) {
   publisher_.publish(status);
 }
 
-void StatusReporter::publishDiagnostics() { updater_.force_update(); }
+void StatusReporter::publishDiagnostics(std::vector<InputHealth> inputs) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    inputs_ = std::move(inputs);
+  }
+  updater_.force_update();
+}
 
 PlannerStatus StatusReporter::newest() {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -37,11 +64,11 @@ void StatusReporter::diagnoseState(DiagnosticStatusWrapper& out) {
   out.summary(
       lacks_input ? DiagnosticStatus::ERROR : DiagnosticStatus::OK,
       status.stop_cause.empty() ? status.state_name : status.state_name + ": " + status.stop_cause);
-  out.add("odometry age [s]", status.odom_age);
-  out.add("people age [s]", status.people_age);
-  out.add("map age [s]", status.map_age);
-  out.add("odometry messages not finite", status.bad_odometry);
-  out.add("messages without transform", status.transform_failures);
+  out.add("people", status.people);
+  out.add("tracks left out, position not finite or out of range", status.bad_people);
+  out.add("tracks left out, id given twice", status.duplicate_ids);
+  out.add("tracks left out, too many", status.surplus_people);
+  out.add("jumps of the clock", status.clock_jumps);
   out.add("blocking person", status.blocking_person);
   out.add("blocked for [s]", status.blocked_for);
 }
@@ -58,6 +85,22 @@ void StatusReporter::diagnoseTiming(DiagnosticStatusWrapper& out) {
   out.add("last cycle [s]", status.cycle_time);
   out.add("trials", status.trials);
   out.add("tree size", status.tree_size);
+}
+
+void StatusReporter::diagnoseInput(size_t index, DiagnosticStatusWrapper& out) {
+  InputHealth input;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (index < inputs_.size()) input = inputs_[index];
+  }
+  out.summary(levelOf(input.level), input.text);
+  if (!input.topic.empty()) out.add("topic", input.topic);
+  if (!input.frame.empty()) out.add("frame", input.frame);
+  out.add("age [s]", input.age);
+  out.add("age limit [s]", input.limit);
+  out.add("rate [Hz]", input.rate);
+  out.add("refused", input.refused);
+  out.add("last refused because", input.last_fault);
 }
 
 }  // namespace pomdp_crowd_nav

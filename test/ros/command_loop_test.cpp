@@ -99,14 +99,17 @@ TEST_F(CommandLoopTest, SilentInputsBrakeTheBase) {
 TEST_F(CommandLoopTest, CausesAreToldApart) {
   drive_.inputs.robot.reset();
   EXPECT_EQ(missingInput(drive_.inputs, loop_.limits(), now_), StopCause::kNoOdometry);
-  drive_.inputs.bad_odometry_at = now_;
-  EXPECT_EQ(missingInput(drive_.inputs, loop_.limits(), now_), StopCause::kOdometryNotFinite);
+  drive_.inputs.odometry_traffic.noteRefusal(MessageFault::kNotFinite, now_);
+  EXPECT_EQ(missingInput(drive_.inputs, loop_.limits(), now_), StopCause::kOdometryRefused);
+  EXPECT_NE(toStatus(drive_, loop_.limits(), now_).stop_cause.find("not finite"),
+            std::string::npos);
   drive_.inputs.robot = RobotReading();
   refreshInputs();
   drive_.inputs.tracks_at = now_ - 5.0;
   EXPECT_EQ(missingInput(drive_.inputs, loop_.limits(), now_), StopCause::kNoPeople);
   drive_.inputs.jump_at = now_;
-  EXPECT_EQ(missingInput(drive_.inputs, loop_.limits(), now_), StopCause::kJumped);
+  drive_.inputs.jump = StopCause::kClockJumped;
+  EXPECT_EQ(missingInput(drive_.inputs, loop_.limits(), now_), StopCause::kClockJumped);
   drive_.inputs.map.reset();
   EXPECT_EQ(missingInput(drive_.inputs, loop_.limits(), now_), StopCause::kNoMap);
 }

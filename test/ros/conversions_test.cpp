@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "pomdp_crowd_nav/ros/odometry_input.h"
+
 namespace pomdp_crowd_nav {
 namespace {
 
@@ -14,6 +16,10 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 TEST(Messages, TrackedPersonsConnectToSpencerPublishers) {
   EXPECT_STREQ(ros::message_traits::md5sum<TrackedPersons>(), "21c0b1a57c4933e68f39aa3802861828");
+}
+
+TEST(Messages, PeopleConnectToPublishersOfPeopleMsgs) {
+  EXPECT_STREQ(ros::message_traits::md5sum<People>(), "18722f4b8db20cc2369740732357847b");
 }
 
 TEST(Messages, PauseServiceIsThatOfStdSrvs) {
@@ -102,6 +108,81 @@ TEST(Tracks, KeepIdsAndLeaveOutPeopleWithoutAPosition) {
   EXPECT_NEAR((list.tracks[0].position - Point(4.0, 0.0)).norm(), 0.0, 1e-12);
   EXPECT_NEAR((list.tracks[0].velocity - Point(-1.0, 0.0)).norm(), 0.0, 1e-12);
   EXPECT_EQ(list.tracks[1].velocity, Point(0.0, 0.0));
+}
+
+TEST(Tracks, OfPeopleAreThoseOfTrackedPersons) {
+  People people;
+  people.header.stamp = ros::Time(12.5);
+  people.people.resize(3);
+  people.people[0].name = "7";
+  people.people[0].position.x = 1.0;
+  people.people[0].velocity.x = 1.0;
+  people.people[1].position.y = kNaN;
+  people.people[2].name = "9";
+  people.people[2].velocity.x = kInfinity;
+  const TrackList list = toTracks(people, Pose{Point(5.0, 0.0), M_PI});
+  EXPECT_DOUBLE_EQ(list.stamp, 12.5);
+  ASSERT_EQ(list.tracks.size(), 2u);
+  EXPECT_EQ(list.tracks[0].id, 7);
+  EXPECT_NEAR((list.tracks[0].position - Point(4.0, 0.0)).norm(), 0.0, 1e-12);
+  EXPECT_NEAR((list.tracks[0].velocity - Point(-1.0, 0.0)).norm(), 0.0, 1e-12);
+  EXPECT_EQ(list.tracks[1].id, 9);
+  EXPECT_EQ(list.tracks[1].velocity, Point(0.0, 0.0));
+}
+
+TEST(Tracks, NamesThatAreNumbersAreTheIds) {
+  EXPECT_EQ(idOfName("0"), 0);
+  EXPECT_EQ(idOfName("42"), 42);
+  EXPECT_EQ(idOfName("9223372036854775807"), std::numeric_limits<std::int64_t>::max());
+}
+
+TEST(Tracks, OtherNamesHaveAnIdOfTheirOwnThatNeverChanges) {
+  EXPECT_EQ(idOfName("person_1"), 7039522202407752820);
+  EXPECT_NE(idOfName("person_1"), idOfName("person_2"));
+  for (const char* name : {"", "-3", "7.5", "9223372036854775808", "anna", " 7"}) {
+    EXPECT_GE(idOfName(name), std::int64_t{1} << 62) << name;
+  }
+}
+
+TEST(Tracks, IdsAreNotNegative) {
+  TrackedPersons persons;
+  persons.tracks.resize(1);
+  persons.tracks[0].track_id = std::numeric_limits<std::uint64_t>::max();
+  EXPECT_GE(toTracks(persons, Pose{}).tracks.at(0).id, 0);
+}
+
+TEST(Odometry, DenormalNumbersAreZero) {
+  nav_msgs::Odometry odometry;
+  odometry.pose.pose.orientation.w = 1.0;
+  odometry.pose.pose.position.x = std::numeric_limits<double>::denorm_min();
+  odometry.twist.twist.linear.x = -1.0e-310;
+  odometry.twist.twist.angular.z = 1.0e-320;
+  const auto reading = toReading(odometry, Pose{});
+  ASSERT_TRUE(reading);
+  EXPECT_EQ(reading->pose.position.x(), 0.0);
+  EXPECT_EQ(reading->velocity.x(), 0.0);
+  EXPECT_EQ(reading->yaw_rate, 0.0);
+}
+
+TEST(Odometry, OutOfRangeIsToldFromWhatABaseCanDo) {
+  VehicleParams vehicle;
+  vehicle.max_speed = 1.0;
+  vehicle.max_yaw_rate = 1.0;
+  const ReadingRange range = readingRange(vehicle);
+  RobotReading reading;
+  reading.velocity = Point(3.0, 3.0);
+  EXPECT_TRUE(isWithin(reading, range));
+  reading.velocity = Point(4.0, 4.0);
+  EXPECT_FALSE(isWithin(reading, range));
+  reading.velocity = Point(0.0, 0.0);
+  reading.pose.position = Point(0.0, -1.1e6);
+  EXPECT_FALSE(isWithin(reading, range));
+  reading.pose.position = Point(0.0, 9.9e5);
+  EXPECT_TRUE(isWithin(reading, range));
+  reading.yaw_rate = -5.1;
+  EXPECT_FALSE(isWithin(reading, range));
+  reading.yaw_rate = kNaN;
+  EXPECT_FALSE(isWithin(reading, range));
 }
 
 TEST(Paths, PointAlongTheWay) {

@@ -374,6 +374,20 @@ class SendGoalTest(BadInputTest):
         self.expect_no_trip("no ROS master", ROS_MASTER_URI="http://127.0.0.1:1")
 
 
+class CheckInputsTest(BadInputTest):
+    def test_duration_that_is_none(self):
+        for value in ("0", "never"):
+            self.expect_refusal("check_inputs", ["--duration", value], "--duration", f"'{value}'")
+
+    def test_unknown_option(self):
+        self.expect_refusal("check_inputs", ["--durations", "1"], "--durations")
+
+    def test_no_master(self):
+        result = self.run_program("check_inputs", ROS_MASTER_URI="http://127.0.0.1:1")
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("no ROS master answers", result.stderr)
+
+
 class DemoTest(BadInputTest):
     def expect(self, args, *words):
         result = subprocess.run([f"{SHARE}/scripts/demo.sh", *args], cwd=self.folder,

@@ -7,15 +7,23 @@
 #include <functional>
 #include <string>
 
+#include "command_meter.h"
 #include "navigation_client.h"
 
 namespace pomdp_crowd_nav {
 
-// One row of the fault matrix in doc/safety.md.
+// One row of the fault matrix in doc/safety.md, from which a test compares name and bound: write
+// both as literals. One to each test, whose results have room for one.
 struct Fault {
   std::string name;    // as in the first column there
-  double bound = 0.0;  // [s], from the fault to rest
+  double bound = 0.0;  // [s], from the fault to rest; for one that stops nothing, between commands
 };
+
+inline void recordFault(const Fault& fault, const char* measured, double value) {
+  testing::Test::RecordProperty("fault", fault.name);
+  testing::Test::RecordProperty("bound_s", fmt::format("{:.2f}", fault.bound));
+  testing::Test::RecordProperty(measured, fmt::format("{:.2f}", value));
+}
 
 // Call at the moment of the fault: fails unless the base is at rest within the bound, and leaves
 // what was measured in the test's results, from where scripts/fault_matrix.py takes it.
@@ -26,9 +34,19 @@ inline void expectRest(const Fault& fault, const std::function<bool()>& is_at_re
   const double took = (ros::WallTime::now() - begin).toSec();
   EXPECT_TRUE(rests) << fault.name << ": the base never came to rest";
   EXPECT_LE(took, fault.bound) << fault.name;
-  testing::Test::RecordProperty("fault", fault.name);
-  testing::Test::RecordProperty("bound_s", fmt::format("{:.2f}", fault.bound));
-  testing::Test::RecordProperty("rest_s", fmt::format("{:.2f}", took));
+  recordFault(fault, "rest_s", took);
+}
+
+// Call while a fault that should stop nothing lasts: fails unless the base keeps moving for
+// `duration` [s] and commands come no more than the bound apart.
+inline void expectDriveOn(const Fault& fault, double duration) {
+  CommandMeter meter;
+  NavigationClient::waitUntil(duration, [] { return false; });
+  const CommandMeter::Reading reading = meter.reading();
+  EXPECT_GT(reading.commands, 10.0 * duration) << fault.name;
+  EXPECT_GT(reading.least_speed, 0.0) << fault.name << ": the base came to rest";
+  EXPECT_LE(reading.longest_period, fault.bound) << fault.name;
+  recordFault(fault, "period_s", reading.longest_period);
 }
 
 }  // namespace pomdp_crowd_nav

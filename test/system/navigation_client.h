@@ -21,6 +21,9 @@ class LogListener {
  public:
   LogListener() { subscriber_ = node_.subscribe("/rosout", 100, &LogListener::onLog, this); }
 
+  // To another node than its own.
+  bool isConnected() const { return subscriber_.getNumPublishers() > 1; }
+
   bool has(const std::string& text) const { return log_.find(text) != std::string::npos; }
 
  private:
@@ -99,9 +102,17 @@ class NavigationClient {
   unsigned mostTrials() const { return most_trials_; }
   const PlannerStatus& status() const { return status_; }
 
+  // Whether such a cause was reported since they were last forgotten, however shortly.
+  bool hasReported(const std::string& cause) const {
+    return causes_.find(cause) != std::string::npos;
+  }
+  const std::string& causes() const { return causes_; }
+  void forgetCauses() { causes_.clear(); }
+
  private:
   void onStatus(const PlannerStatus& status) {
     status_ = status;
+    causes_ += status.stop_cause + "\n";
     most_trials_ = std::max(most_trials_, status.trials);
     ++status_count_;
   }
@@ -117,6 +128,7 @@ class NavigationClient {
   ros::NodeHandle node_, private_node_;
   ros::Subscriber status_subscriber_, command_subscriber_;
   PlannerStatus status_;
+  std::string causes_;  // reported, a line each
   geometry_msgs::Twist command_;
   std::uint32_t most_trials_ = 0;
   int status_count_ = 0;

@@ -41,6 +41,12 @@ std::optional<RobotReading> toReading(const nav_msgs::Odometry& odometry, const 
 
 // People without a finite position are left out; a velocity that is not finite counts as zero.
 TrackList toTracks(const TrackedPersons& persons, const Pose& frame);
+TrackList toTracks(const People& people, const Pose& frame);
+
+// Id of the person of that name: a name of decimal digits is its own number; any other becomes
+// its FNV-1a hash of 64 bits with the highest bit cleared and the next one set, so that it is the
+// same everywhere and far from small numbers. Never negative.
+std::int64_t idOfName(const std::string& name);
 
 // To messages.
 geometry_msgs::Point toMessage(const Point& point, double z = 0.0);

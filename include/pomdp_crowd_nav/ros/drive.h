@@ -1,35 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 
-#include "pomdp_crowd_nav/belief/belief_tracker.h"
 #include "pomdp_crowd_nav/planner/planner.h"
-#include "pomdp_crowd_nav/ros/conversions.h"
+#include "pomdp_crowd_nav/ros/inputs.h"
 #include "pomdp_crowd_nav/ros/motion_executor.h"
 #include "pomdp_crowd_nav/ros/node_params.h"
 
 namespace pomdp_crowd_nav {
-
-// Why the base is braked or stopped while it has a goal.
-enum class StopCause {
-  kNone,
-  kNoOdometry,
-  kOdometryNotFinite,
-  kNoTransform,
-  kNoPeople,
-  kWatchingPeople,  // beliefs need a second of tracks before they mean anything
-  kNoMap,
-  kJumped,  // the clock back or the robot elsewhere: beliefs began afresh
-  kPreparing,
-  kNoDecision,
-  kEmergency,
-  kPaused
-};
-
-const char* describe(StopCause cause);
 
 // How a trip ended; the names of the action's terminal states follow from it.
 enum class Outcome { kReached, kCancelled, kPreempted, kFailed };
@@ -51,22 +31,6 @@ struct Ending {
 struct Blocker {
   std::int64_t id = -1;
   double since = 0.0;  // [s]
-};
-
-// What came in, and when. All times [s], steady clock; negative: never.
-struct Inputs {
-  std::optional<RobotReading> robot;
-  TrackList tracks;
-  CrowdBelief crowd;
-  double tracks_at = -1.0;        // moment at which the newest tracks were measured
-  double first_tracks_at = -1.0;  // of the present, unbroken series
-  std::shared_ptr<const StaticMap> map;
-  double map_at = -1.0;
-  double bad_odometry_at = -1.0;
-  double transform_failure_at = -1.0;
-  double jump_at = -1.0;  // of clock or pose
-  unsigned bad_odometry = 0;
-  unsigned transform_failures = 0;
 };
 
 // Since the goal was accepted.
@@ -97,20 +61,6 @@ struct Drive {
 
   bool hasGoal() const { return goal.number != 0; }
 };
-
-// Age limits, [s].
-struct InputLimits {
-  double odometry = 0.5;
-  double people = 1.0;
-  double map = 0.0;       // 0: none
-  double watching = 1.0;  // unbroken tracks needed before the first decision
-};
-
-// No base gets from one reading to the other; it was put elsewhere or found that it is.
-bool isPoseJump(const RobotReading& from, const RobotReading& to, double max_speed);
-
-// The first input that is missing or too old; kNone when the robot may drive.
-StopCause missingInput(const Inputs& inputs, const InputLimits& limits, double now);
 
 // Why the base does not follow a decision at the moment.
 StopCause stopCause(const Drive& drive, const InputLimits& limits, double now);

@@ -22,6 +22,7 @@
 #undef PersonBelief
 #undef CrowdBelief
 
+#include <pomdp_crowd_nav/People.h>
 #include <pomdp_crowd_nav/PlannerStatus.h>
 #include <pomdp_crowd_nav/ResetSimulation.h>
 #include <pomdp_crowd_nav/SetBool.h>
