@@ -159,6 +159,17 @@ void readSafety(ParamReader& reader, NavigationParams& params) {
   reader.read("transform_tolerance", params.transform_tolerance);
 }
 
+void readGuard(ParamReader& reader, NavigationParams& params) {
+  reader.read("guard/frequency", params.guard.frequency);
+  reader.read("guard/command_timeout", params.guard.command_timeout);
+  reader.read("guard/margin", params.guard.margin);
+  reader.read("guard/reaction_time", params.guard.reaction_time);
+  reader.read("guard/hold_time", params.guard.hold_time);
+  params.guard.odom_timeout = params.odom_timeout;
+  params.guard.people_timeout = params.people_timeout;
+  validate(params.guard);
+}
+
 }  // namespace
 
 NavigationParams loadNavigationParams(ParamReader& reader) {
@@ -179,6 +190,7 @@ NavigationParams loadNavigationParams(ParamReader& reader) {
   requireHeadingWithin(params);
   requirePositive("odom_timeout", params.odom_timeout);
   requirePositive("people_timeout", params.people_timeout);
+  readGuard(reader, params);
   return params;
 }
 
