@@ -184,7 +184,7 @@ show_progress() {
 report_trip() {
   local reason summary
   # A node that refuses its configuration says why in one line of its own.
-  ! reason=$(grep -m 1 -E '^(sim_node|planner_node): ' "$log") || die 2 "$reason"
+  ! reason=$(grep -m 1 -E '^(sim_node|planner_node|velocity_guard): ' "$log") || die 2 "$reason"
   if ! summary=$(grep '^goal_reached=' "$log" | tail -n 1); then
     say "--- the last lines of $log:"
     tail -n 30 "$log" >&2

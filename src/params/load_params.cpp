@@ -162,6 +162,16 @@ void readSafety(ParamReader& reader, NavigationParams& params) {
   reader.read("transform_tolerance", params.transform_tolerance);
 }
 
+void readGuard(ParamReader& reader, NavigationParams& params) {
+  reader.read("guard/frequency", params.guard.frequency);
+  reader.read("guard/command_timeout", params.guard.command_timeout);
+  reader.read("guard/margin", params.guard.margin);
+  reader.read("guard/reaction_time", params.guard.reaction_time);
+  reader.read("guard/hold_time", params.guard.hold_time);
+  params.guard.odom_timeout = params.odom_timeout;
+  params.guard.people_timeout = params.people_timeout;
+}
+
 }  // namespace
 
 void readNavigationParams(ParamReader& reader, NavigationParams& params) {
@@ -171,6 +181,7 @@ void readNavigationParams(ParamReader& reader, NavigationParams& params) {
   reader.read("search_time", params.search_time);
   reader.read("controller_frequency", params.controller_frequency);
   reader.read("yaw_goal_tolerance", params.yaw_goal_tolerance);
+  readGuard(reader, params);
 }
 
 void validate(const NavigationParams& params) {
@@ -183,6 +194,7 @@ void validate(const NavigationParams& params) {
   requireHeadingWithin(params);
   requirePositive("odom_timeout", params.odom_timeout);
   requirePositive("people_timeout", params.people_timeout);
+  validate(params.guard);
   requireWithinRanges(valuesOf(params));
 }
 

@@ -447,14 +447,15 @@ class LaunchTest(unittest.TestCase):
         self.assertIn("--x=-3 --y=7.5", command("goal_x:=-3", "goal_y:=7.5"))
 
     def test_every_argument_is_optional_and_explained(self):
-        text = self.roslaunch("--ros-args", PACKAGE, "simulation.launch")
-        self.assertNotIn("Required", text)
-        self.assertNotIn("undocumented", text)
+        for launch in ("simulation.launch", "movo.launch"):
+            text = self.roslaunch("--ros-args", PACKAGE, launch)
+            self.assertNotIn("Required", text)
+            self.assertNotIn("undocumented", text)
 
 
 class NodesTest(BadInputTest):
     def test_arguments_that_are_no_parameters(self):
-        for node in ("sim_node", "planner_node"):
+        for node in ("sim_node", "planner_node", "velocity_guard", "tractor_mode"):
             self.expect_refusal(node, ["world_file"], "world_file", "_NAME:=VALUE")
             for option in ("--help", "-h"):
                 result = self.run_program(node, option, ROS_MASTER_URI="http://127.0.0.1:1")
@@ -494,6 +495,13 @@ class NodesTest(BadInputTest):
     def test_planner_node_with_a_misspelt_key(self):
         self.expect_node_refusal("planner_node", {"world_file": WORLD, "saerch_time": 1.0},
                                  "saerch_time")
+
+    def test_velocity_guard_with_a_misspelt_key(self):
+        self.expect_node_refusal("velocity_guard", {"guard": {"margn": 0.3}}, "guard/margn")
+
+    def test_velocity_guard_with_a_value_out_of_range(self):
+        self.expect_node_refusal("velocity_guard", {"guard": {"frequency": 5.0}},
+                                 "guard/frequency", "20", "5")
 
     def test_planner_node_with_an_unknown_planner(self):
         self.expect_node_refusal("planner_node", {"world_file": WORLD, "planner": "3d_magic"},

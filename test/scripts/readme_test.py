@@ -180,8 +180,9 @@ def check_tools(root, text):
     columns = re.search(r"csvHeader\(\) \{(.*?)\}",
                         (root / "src/evaluation/experiment.cpp").read_text(), re.S)[1]
     require("results.csv", "".join(re.findall(r'"([^"]*)"', columns)).split(","), text)
-    launch = (root / "launch/simulation.launch").read_text()
-    require("simulation.launch", re.findall(r'<arg name="(\w+)"\s+default=', launch), text)
+    for name in ("simulation.launch", "movo.launch"):
+        launch = (root / "launch" / name).read_text()
+        require(name, re.findall(r'<arg name="(\w+)"\s+default=', launch), text)
     demo = (root / "scripts/demo.sh").read_text()
     options = re.search(r"<<'END'\n(.*?)\nEND", demo, re.S)[1]
     require("demo.sh", set(re.findall(r"(--[a-z-]+)", options)) - {"--help"}, text)

@@ -80,6 +80,7 @@ TEST_F(GoalsTest, CancelBringsTheBaseToRest) {
   EXPECT_EQ(client_.commandedSpeed(), 0.0);
   EXPECT_TRUE(
       client_.waitUntil(3.0, [this] { return client_.status().state == PlannerStatus::IDLE; }));
+  client_.waitUntil(1.0, [] { return false; });  // in which the guard's last zeros come
   const int commands = client_.commandCount();
   client_.waitUntil(1.0, [] { return false; });
   EXPECT_LE(client_.commandCount(), commands + 2) << "an idle planner must not command the base";

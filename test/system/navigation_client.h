@@ -39,7 +39,9 @@ class NavigationClient {
  public:
   using State = actionlib::SimpleClientGoalState;
 
-  NavigationClient() : action_("move_base", true), private_node_("planner_node") {
+  // Of the planner in that namespace, which ends with a slash.
+  explicit NavigationClient(const std::string& space = "")
+      : action_(space + "move_base", true), node_(space), private_node_(space + "planner_node") {
     status_subscriber_ = private_node_.subscribe("status", 10, &NavigationClient::onStatus, this);
     command_subscriber_ = node_.subscribe("cmd_vel", 100, &NavigationClient::onCommand, this);
   }

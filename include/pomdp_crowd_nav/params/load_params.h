@@ -6,6 +6,7 @@
 #include "pomdp_crowd_nav/belief/belief_tracker.h"
 #include "pomdp_crowd_nav/control/command_generator.h"
 #include "pomdp_crowd_nav/control/emergency_override.h"
+#include "pomdp_crowd_nav/control/velocity_guard.h"
 #include "pomdp_crowd_nav/params/param_reader.h"
 #include "pomdp_crowd_nav/planner/planner.h"
 #include "pomdp_crowd_nav/sim/simulator.h"
@@ -20,6 +21,7 @@ struct NavigationParams {
   BeliefTracker::Params belief;
   EmergencyOverride::Params emergency;
   CommandGenerator::Params command;
+  VelocityGuard::Params guard;
   double controller_frequency = 20.0;  // [Hz]
   double yaw_goal_tolerance = 3.15;    // [rad], above pi: any heading at the goal will do
   double odom_timeout = 0.5;           // [s], an older input stops the robot

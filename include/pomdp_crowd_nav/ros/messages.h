@@ -22,6 +22,9 @@
 #undef PersonBelief
 #undef CrowdBelief
 
+#include <pomdp_crowd_nav/ConfigCmd.h>
+#include <pomdp_crowd_nav/GuardStatus.h>
+#include <pomdp_crowd_nav/MovoStatus.h>
 #include <pomdp_crowd_nav/People.h>
 #include <pomdp_crowd_nav/PlannerStatus.h>
 #include <pomdp_crowd_nav/ResetSimulation.h>
