@@ -8,7 +8,7 @@ BUILD_PACKAGES=(
   g++ cmake make ninja-build catkin
   ros-message-generation ros-std-msgs ros-geometry-msgs
   libroscpp-dev libactionlib-dev libdiagnostic-updater-dev libmove-base-msgs-dev libnav-msgs-dev
-  libtf2-ros-dev libvisualization-msgs-dev
+  librosbag-storage-dev libtf2-ros-dev libvisualization-msgs-dev
   libbenchmark-dev libcli11-dev libeigen3-dev libfmt-dev libompl-dev libopencv-dev
   libyaml-cpp-dev nlohmann-json3-dev
   libgtest-dev librostest-dev python3-rostest

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "../recordings.h"
+#include "pomdp_crowd_nav/evaluation/destination_learning.h"
 #include "pomdp_crowd_nav/params/load_params.h"
 #include "pomdp_crowd_nav/params/yaml_param_reader.h"
 #include "pomdp_crowd_nav/sim/world_file.h"
@@ -129,6 +130,23 @@ TEST(PredictionScore, StandingAndElsewhereForetellRecordedPeopleBetter) {
     const bool has_groups = recorded.name == "ucy_students03";  // many who stand and talk
     EXPECT_GT(here.slow.log_density, paper.slow.log_density + (has_groups ? 0.15 : -0.1));
     EXPECT_LT(here.slow.error, (has_groups ? 0.92 : 1.02) * paper.slow.error) << recorded.name;
+  }
+}
+
+TEST(PredictionScore, LearnedDestinationsAreAsGoodAsThoseOfTheWorlds) {
+  std::vector<Recorded> all = recordings();
+  if (all.size() < 2) GTEST_SKIP() << "recordings are absent; set UCY_DATA_DIR to their folder";
+  for (Recorded& recorded : all) {
+    std::vector<Point> learned;
+    for (const auto& one : learnDestinations(recorded.tracks, {}).destinations) {
+      learned.push_back(one.position);
+    }
+    for (const bool elsewhere : {false, true}) {
+      const PredictionScores before =
+          recorded.score("of the world", elsewhere, recorded.world.destinations);
+      const PredictionScores here = recorded.score("learned", elsewhere, learned);
+      EXPECT_GT(here.all.log_density, before.all.log_density - 0.05) << recorded.name;
+    }
   }
 }
 
