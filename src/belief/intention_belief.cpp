@@ -11,9 +11,11 @@
 
 namespace pomdp_crowd_nav {
 
-IntentionBelief::IntentionBelief(size_t destination_count) {
+IntentionBelief::IntentionBelief(size_t destination_count, double standing, double elsewhere)
+    : standing_(standing), elsewhere_(elsewhere) {
   if (destination_count == 0) throw std::invalid_argument("destinations must not be empty");
-  probabilities_.assign(destination_count, 1.0 / static_cast<double>(destination_count));
+  const double share = (1.0 - standing - elsewhere) / static_cast<double>(destination_count);
+  probabilities_.assign(destination_count, share);
 }
 
 void IntentionBelief::update(const Point& from, const Point& to,
@@ -29,19 +31,34 @@ void IntentionBelief::update(const Point& from, const Point& to,
     posterior[j] = progress;
     smallest = std::min(smallest, progress);
   }
-  double total = 0.0;
   for (size_t j = 0; j < posterior.size(); ++j) {
     posterior[j] = probabilities_[j] * (posterior[j] + std::abs(smallest) + 1.0);
-    total += posterior[j];
   }
+  assign(std::move(posterior), standing_, elsewhere_);
+}
+
+void IntentionBelief::assign(std::vector<double> destinations, double standing, double elsewhere) {
+  double total = 0.0;
+  for (const double weight : destinations) total += weight;
+  total += standing + elsewhere;
   if (!std::isfinite(total) || total <= 0.0) return;  // a step beyond the range of double
-  for (double& probability : posterior) probability /= total;
-  probabilities_ = std::move(posterior);
+  for (double& weight : destinations) weight /= total;
+  probabilities_ = std::move(destinations);
+  standing_ = standing / total;
+  elsewhere_ = elsewhere / total;
+}
+
+double IntentionBelief::probability(size_t hypothesis) const {
+  if (hypothesis == kStanding) return standing_;
+  return hypothesis == kElsewhere ? elsewhere_ : probabilities_[hypothesis];
 }
 
 size_t IntentionBelief::mostLikely() const {
   const auto best = std::max_element(probabilities_.begin(), probabilities_.end());
-  return static_cast<size_t>(best - probabilities_.begin());
+  if (*best >= std::max(standing_, elsewhere_)) {
+    return static_cast<size_t>(best - probabilities_.begin());
+  }
+  return standing_ >= elsewhere_ ? kStanding : kElsewhere;
 }
 
 size_t IntentionBelief::sample(double uniform) const {
@@ -50,6 +67,8 @@ size_t IntentionBelief::sample(double uniform) const {
     cumulative += probabilities_[j];
     if (uniform < cumulative) return j;
   }
+  if (uniform < cumulative + standing_) return kStanding;
+  if (uniform < cumulative + standing_ + elsewhere_) return kElsewhere;
   return mostLikely();  // the probabilities sum to a hair less than one
 }
 

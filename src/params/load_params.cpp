@@ -151,6 +151,10 @@ void readSafety(ParamReader& reader, NavigationParams& params) {
   reader.read("belief/walking_speed", params.belief.walking_speed);
   reader.read("belief/memory", params.belief.memory);
   reader.read("belief/speed_smoothing", params.belief.speed_smoothing);
+  reader.read("belief/inherit_distance", params.belief.inherit_distance);
+  reader.read("belief/elsewhere", params.belief.expect_elsewhere);
+  reader.read("belief/position_noise", params.belief.intention.position_noise);
+  reader.read("belief/change_rate", params.belief.intention.change_rate);
   reader.read("emergency/enabled", params.emergency.enabled);
   reader.read("emergency/decision_distance", params.emergency.decision_distance);
   reader.read("emergency/reflex_distance", params.emergency.reflex_distance);

@@ -43,10 +43,11 @@ void CrowdCost::predict(const Point& start, const std::vector<PersonBelief>& peo
   for (size_t i = 0; i < count; ++i) {
     const PersonBelief& person = people[i];
     const size_t likely = person.intention.mostLikely();
-    const bool sure = person.intention.probabilities()[likely] >= params_.sure_belief;
-    const double speed = sure ? person.speed / params_.pace : 0.0;  // [m per element]
+    const bool sure = person.intention.probability(likely) >= params_.sure_belief;
+    const Pedestrian walker = walkerOf(person, likely, destinations);
+    const double speed = sure ? walker.speed / params_.pace : 0.0;  // [m per element]
     for (int t = 0; t <= kElements; ++t) {
-      const Point place = walked(person.position, destinations[likely], speed * t);
+      const Point place = walked(walker.position, walker.destination, speed * t);
       const Point inside = place.cwiseMax(bounds.min).cwiseMin(bounds.max);
       places_[static_cast<size_t>(t) * count + i] = {inside.x(), inside.y()};
     }

@@ -7,7 +7,9 @@
 namespace pomdp_crowd_nav {
 namespace {
 
-constexpr int kDestinationDepth = 0;  // noise depth that draws destinations; steps start at 1
+constexpr int kDestinationDepth = 0;    // noise depth that draws destinations; steps start at 1
+constexpr int kHeadingDepth = 1 << 19;  // beyond all steps, draws where who stands sways to
+constexpr double kSwayAhead = 1000.0;   // [m], so far that nobody who sways gets there
 
 Point clampTo(const Bounds& bounds, const Point& p) {
   return p.cwiseMax(bounds.min).cwiseMin(bounds.max);
@@ -33,6 +35,18 @@ void setMiddle(CrowdFutures::Place& from, const CrowdFutures::Place& to) {
   from.mid_y = 0.5F * (from.y + to.y);
 }
 
+Pedestrian drawWalker(const PersonBelief& person, const std::vector<Point>& destinations,
+                      const NoiseStreams& noise, int scenario, int index) {
+  const size_t hypothesis =
+      person.intention.sample(noise.uniform(scenario, kDestinationDepth, index));
+  Pedestrian walker = walkerOf(person, hypothesis, destinations);
+  if (hypothesis == IntentionBelief::kStanding) {
+    const double angle = 2.0 * M_PI * noise.uniform(scenario, kHeadingDepth, index);
+    walker.destination = walker.position + kSwayAhead * unitVector(angle);
+  }
+  return walker;
+}
+
 float distanceSq(const CrowdFutures::Place& a, const CrowdFutures::Place& b) {
   return (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
 }
@@ -52,8 +66,7 @@ void CrowdFutures::draw(const Shape& shape, const std::vector<PersonBelief>& peo
   float longest_stride_sq = 0.0F;
   for (int k = 0; k < scenario_count_; ++k) {
     for (int i = 0; i < person_count_; ++i) {
-      const size_t destination = people[i].intention.sample(noise.uniform(k, kDestinationDepth, i));
-      Pedestrian walker{people[i].position, destinations[destination], people[i].speed};
+      Pedestrian walker = drawWalker(people[i], destinations, noise, k, i);
       Place* last = nullptr;
       for (int d = 0; d <= depth_; ++d) {
         const size_t moment = static_cast<size_t>(k) * (depth_ + 1) + d;

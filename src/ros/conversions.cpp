@@ -189,6 +189,8 @@ CrowdBeliefMessage toMessage(const CrowdBelief& crowd, const std::vector<Point>&
     belief.position = toMessage(person.position);
     belief.velocity = toVector(person.velocity);
     belief.probabilities = person.intention.probabilities();
+    belief.probability_standing = person.intention.standing();
+    belief.probability_elsewhere = person.intention.elsewhere();
     message.people.push_back(belief);
   }
   return message;

@@ -34,11 +34,11 @@ Polygon outline(const Bounds& bounds) {
       true};
 }
 
-// How far above uniform the likeliest destination is, from 0 to 1.
+// How far above that of a destination in a uniform belief the largest probability is, from 0 to 1.
 double certainty(const IntentionBelief& intention) {
   const double count = static_cast<double>(intention.probabilities().size());
   if (count < 2.0) return 1.0;
-  const double best = intention.probabilities()[intention.mostLikely()];
+  const double best = intention.probability(intention.mostLikely());
   return std::clamp((best - 1.0 / count) / (1.0 - 1.0 / count), 0.0, 1.0);
 }
 
@@ -120,7 +120,11 @@ MarkerArray beliefMarkers(const BeliefScene& scene, const std_msgs::Header& head
   MarkerBuilder builder(header);
   const double size = scene.symbol_size;
   const auto colorOf = [](const IntentionBelief& intention) {
-    return destinationColor(intention.mostLikely(), 0.2 + 0.8 * certainty(intention));
+    const double alpha = 0.2 + 0.8 * certainty(intention);
+    const size_t likely = intention.mostLikely();
+    if (likely == IntentionBelief::kStanding) return color(0.0, 0.0, 0.0, alpha);
+    if (likely == IntentionBelief::kElsewhere) return color(0.45, 0.45, 0.45, alpha);
+    return destinationColor(likely, alpha);
   };
   Marker& discs = builder.beginList("likeliest_destination", Marker::SPHERE_LIST, size, 0.4);
   for (const PersonBelief& person : scene.crowd.people) {
@@ -128,7 +132,8 @@ MarkerArray beliefMarkers(const BeliefScene& scene, const std_msgs::Header& head
   }
   Marker& ways = builder.beginList("likeliest_way", Marker::LINE_LIST, 0.2 * size, 0.06);
   for (const PersonBelief& person : scene.crowd.people) {
-    const Point way = scene.destinations[person.intention.mostLikely()] - person.position;
+    const size_t likely = person.intention.mostLikely();
+    const Point way = walkerOf(person, likely, scene.destinations).destination - person.position;
     const double length = std::min(2.2 * size, way.norm());
     if (length <= 0.0) continue;
     addLine(person.position, person.position + length * way.normalized(), colorOf(person.intention),

@@ -90,15 +90,14 @@ Json worldOf(const World& world) {
   return json;
 }
 
-// Where somebody will be at the next steps, walking on to the likeliest destination.
-std::vector<Point> predictedPlaces(const PersonBelief& person, const Point& destination,
-                                   double step) {
+// Where somebody will be at the next steps, doing what is likeliest.
+std::vector<Point> predictedPlaces(const Pedestrian& walker, double step) {
   constexpr int kSteps = 5;
   std::vector<Point> places;
-  const Point way = destination - person.position;
+  const Point way = walker.destination - walker.position;
   for (int i = 1; i <= kSteps; ++i) {
-    const double length = std::min(way.norm(), person.speed * step * i);
-    places.push_back(person.position + (way.norm() > 0.0 ? Point(way.normalized()) : way) * length);
+    const double length = std::min(way.norm(), walker.speed * step * i);
+    places.push_back(walker.position + (way.norm() > 0.0 ? Point(way.normalized()) : way) * length);
   }
   return places;
 }
@@ -107,12 +106,14 @@ Json peopleOf(const EpisodeMoment& moment, const std::vector<Point>& destination
   Json people = Json::array();
   const std::vector<std::int64_t>& attended = moment.decision.attended;
   for (const PersonBelief& person : moment.crowd.people) {
-    const Point& destination = destinations[person.intention.mostLikely()];
+    const Pedestrian walker = walkerOf(person, person.intention.mostLikely(), destinations);
     people.push_back({{"id", person.id},
                       {"position", pointOf(person.position)},
                       {"belief", person.intention.probabilities()},
+                      {"standing", person.intention.standing()},
+                      {"elsewhere", person.intention.elsewhere()},
                       {"attended", std::count(attended.begin(), attended.end(), person.id) > 0},
-                      {"predicted", pathOf(predictedPlaces(person, destination, step))}});
+                      {"predicted", pathOf(predictedPlaces(walker, step))}});
   }
   return people;
 }

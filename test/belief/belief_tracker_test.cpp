@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ctime>
 #include <limits>
+#include <random>
 #include <stdexcept>
 
 namespace pomdp_crowd_nav {
@@ -158,6 +160,9 @@ TEST(BeliefTracker, NamesAWrongParameter) {
   params = {};
   params.speed_smoothing = 1.5;
   EXPECT_EQ(messageFor(params), "belief.speed_smoothing must be in (0, 1], got 1.5");
+  params = {};
+  params.inherit_distance = -0.5;
+  EXPECT_EQ(messageFor(params), "belief.inherit_distance must not be negative, got -0.5");
   EXPECT_THROW(BeliefTracker({}, {}), std::invalid_argument);
   EXPECT_THROW(BeliefTracker({{kNan, 0.0}}, {}), std::invalid_argument);
 }
@@ -180,6 +185,170 @@ TEST(BeliefTracker, RemembersWhoIsMissingFromASweep) {
   tracker.update({1.1, {{2, {5.0, 5.0}, {0.0, 0.0}}}});
   ASSERT_EQ(tracker.belief().people.size(), 1U);
   EXPECT_EQ(tracker.belief().people[0].id, 2);
+}
+
+BeliefTracker withHeirs(double memory = 0.0) {
+  BeliefTracker::Params params;
+  params.walking_speed = 0.0;
+  params.inherit_distance = 0.5;
+  params.memory = memory;
+  return BeliefTracker(kEnds, params);
+}
+
+// From 2 m at 1 m/s for 2 s, five sweeps.
+void walkAs(std::int64_t id, BeliefTracker& tracker) {
+  for (int i = 0; i < 5; ++i) tracker.update({0.5 * i, {track(id, 2.0 + 0.5 * i, 1.0)}});
+}
+
+TEST(BeliefTracker, ANewIdInThePlaceOfAnOldOneInheritsAllThatIsKnown) {
+  BeliefTracker same = withHeirs();
+  BeliefTracker other = withHeirs();
+  walkAs(7, same);
+  walkAs(7, other);
+  same.update({2.5, {track(7, 4.6, 1.1)}});
+  other.update({2.5, {track(3, 4.6, 1.1)}});
+  ASSERT_EQ(other.belief().people.size(), 1U);
+  const PersonBelief& known = same.belief().people[0];
+  const PersonBelief& heir = other.belief().people[0];
+  EXPECT_EQ(heir.id, 3);
+  EXPECT_EQ(heir.position, known.position);
+  EXPECT_EQ(heir.velocity, known.velocity);
+  EXPECT_EQ(heir.speed, known.speed);
+  EXPECT_EQ(heir.intention.probabilities(), known.intention.probabilities());
+  EXPECT_GT(heir.intention.probabilities()[1], 0.9);
+}
+
+TEST(BeliefTracker, ANewIdElsewhereIsANewPerson) {
+  BeliefTracker tracker = withHeirs();
+  walkAs(7, tracker);
+  tracker.update({2.5, {track(3, 5.1, 1.0)}});  // 0.6 m beyond the 4.5 m where 7 should be
+  EXPECT_DOUBLE_EQ(probabilityOfRight(tracker), 0.5);
+  BeliefTracker without = withOwnSpeeds();
+  walkAs(7, without);
+  without.update({2.5, {track(3, 4.5, 1.0)}});
+  EXPECT_DOUBLE_EQ(probabilityOfRight(without), 0.5);
+}
+
+TEST(BeliefTracker, AnHeirLeavesNoGhost) {
+  BeliefTracker tracker = withHeirs(1.0);
+  walkAs(7, tracker);
+  tracker.update({2.5, {}});
+  ASSERT_EQ(tracker.belief().people.size(), 1U);
+  const double learnt = probabilityOfRight(tracker);
+  tracker.update({2.9, {track(9, 5.0, 1.0), track(10, 5.3, 1.0)}});  // 4.9 m are expected
+  ASSERT_EQ(tracker.belief().people.size(), 2U);
+  EXPECT_EQ(tracker.belief().people[0].id, 9);
+  EXPECT_GT(probabilityOfRight(tracker, 0), learnt);
+  EXPECT_DOUBLE_EQ(probabilityOfRight(tracker, 1), 0.5) << "a belief has one heir";
+}
+
+TEST(BeliefTracker, NobodyInheritsFromLongAgo) {
+  BeliefTracker tracker = withHeirs();
+  walkAs(7, tracker);
+  tracker.update({3.0, {track(9, 5.0, 1.0)}});  // 1 s later, without memory
+  EXPECT_DOUBLE_EQ(probabilityOfRight(tracker), 0.5);
+}
+
+TEST(BeliefTracker, PeopleWhoSwapIdsKeepTheirBeliefs) {
+  for (const double memory : {0.0, 1.0}) {
+    BeliefTracker tracker = withHeirs(memory);
+    for (int i = 0; i < 5; ++i) {
+      tracker.update({0.5 * i, {track(1, 2.0 + 0.5 * i, 1.0), track(2, 9.0 - 0.5 * i, -1.0)}});
+    }
+    tracker.update({2.5, {track(1, 6.5, -1.0), track(2, 4.5, 1.0)}});  // 2.5 m are too far to run
+    ASSERT_EQ(tracker.belief().people.size(), 2U);
+    EXPECT_LT(probabilityOfRight(tracker, 0), 0.1);
+    EXPECT_GT(probabilityOfRight(tracker, 1), 0.9);
+    tracker.update({3.0, {track(1, 100.0), track(2, 5.0, 1.0)}});  // somebody else's id now
+    ASSERT_EQ(tracker.belief().people.size(), 2U) << "ids are given once";
+    EXPECT_DOUBLE_EQ(tracker.belief().people[0].position.x(), 100.0);
+    EXPECT_DOUBLE_EQ(probabilityOfRight(tracker, 0), 0.5);
+  }
+}
+
+BeliefTracker expectingElsewhere() {
+  BeliefTracker::Params params;
+  params.walking_speed = 0.0;
+  params.expect_elsewhere = true;
+  return BeliefTracker(kEnds, params);
+}
+
+TEST(BeliefTracker, AStopMakesNobodySlow) {
+  BeliefTracker tracker = expectingElsewhere();
+  for (int i = 0; i < 60; ++i) tracker.update({0.5 * i, {track(1, 2.0 + std::min(0.6 * i, 6.0))}});
+  const PersonBelief& person = tracker.belief().people[0];
+  EXPECT_EQ(person.intention.mostLikely(), IntentionBelief::kStanding);
+  EXPECT_GT(person.speed, 0.7) << "1.2 m/s before the stop";
+  EXPECT_NEAR(person.walk.norm(), 0.0, 1e-6);
+}
+
+TEST(BeliefTracker, WhoTurnsRoundIsExpectedOnTheWayBack) {
+  BeliefTracker tracker = expectingElsewhere();
+  for (int i = 0; i <= 6; ++i) tracker.update({0.5 * i, {track(1, 4.0 + 0.5 * i)}});
+  const auto& intention = tracker.belief().people[0].intention;
+  EXPECT_LT(intention.probabilities()[0], 0.05);
+  for (int i = 1; i <= 3; ++i) tracker.update({3.0 + 0.5 * i, {track(1, 7.0 - 0.5 * i)}});
+  EXPECT_LT(tracker.belief().people[0].intention.probabilities()[1], 0.05);
+  EXPECT_LT(tracker.belief().people[0].walk.x(), -0.5);
+}
+
+// At 10 Hz, with 0.1 m of noise on each axis.
+TEST(BeliefTracker, JitterOfStandingPeopleIsNoWalk) {
+  BeliefTracker::Params params;
+  params.walking_speed = 0.0;
+  params.expect_elsewhere = true;
+  BeliefTracker tracker(kEnds, params);
+  std::mt19937 random(2);
+  std::normal_distribution<double> jitter(0.0, 0.1);
+  double standing = 0.0;
+  int count = 0, poisoned = 0;
+  for (int i = 0; i < 600; ++i) {
+    TrackList sweep{0.1 * i, {}};
+    for (int id = 0; id < 20; ++id) {
+      sweep.tracks.push_back({id, {5.0 + jitter(random), jitter(random)}, {0.0, 0.0}});
+    }
+    tracker.update(sweep);
+    if (i < 50) continue;
+    for (const PersonBelief& person : tracker.belief().people) {
+      standing += person.intention.standing();
+      poisoned += person.intention.mostLikely() < kEnds.size() ? 1 : 0;
+      ++count;
+    }
+  }
+  EXPECT_GT(standing / count, 0.85);
+  EXPECT_LT(poisoned, 0.005 * count);
+}
+
+// The limits leave room for a busy machine; figures in doc/measurements.md.
+TEST(BeliefTracker, TenThousandPeopleAreCheapEvenIfAllIdsChange) {
+  BeliefTracker::Params params;
+  params.walking_speed = 0.0;
+  params.memory = 0.6;
+  params.expect_elsewhere = true;
+  params.inherit_distance = 0.5;
+  BeliefTracker tracker({{0.0, 0.0}, {100.0, 0.0}, {0.0, 100.0}, {100.0, 100.0}}, params);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> place(0.0, 100.0);
+  TrackList sweep;
+  for (int i = 0; i < 10000; ++i) {
+    sweep.tracks.push_back({i, {place(random), place(random)}, {1.0, 0.0}});
+  }
+  double slowest = 0.0;
+  for (int i = 0; i < 6; ++i) {
+    sweep.stamp = 0.5 * i;
+    for (Track& one : sweep.tracks) {
+      one.id += i < 3 ? 0 : 10000;
+      one.position.x() += 0.5;
+    }
+    const std::clock_t start = std::clock();  // of the processor
+    tracker.update(sweep);
+    const double time = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    RecordProperty("update_" + std::to_string(i) + "_ms", std::to_string(1e3 * time));
+    slowest = std::max(slowest, time);
+  }
+  EXPECT_LT(slowest, 0.2);
+  const IntentionBelief& belief = tracker.belief().people[0].intention;
+  EXPECT_LT(belief.standing(), 0.01) << "six updates, under three ids";
 }
 
 }  // namespace

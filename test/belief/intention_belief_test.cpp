@@ -111,5 +111,30 @@ TEST(IntentionBelief, SamplesByQuantile) {
   EXPECT_EQ(belief.sample(std::nextafter(1.0, 0.0)), 1u);
 }
 
+TEST(IntentionBelief, StandingAndElsewhereAreHypothesesToo) {
+  IntentionBelief belief(2, 0.2, 0.3);
+  EXPECT_EQ(belief.probabilities(), std::vector<double>(2, 0.25));
+  EXPECT_EQ(belief.mostLikely(), IntentionBelief::kElsewhere);
+  belief.assign({1.0, 2.0}, 4.0, 1.0);
+  EXPECT_DOUBLE_EQ(belief.probabilities()[1], 0.25);
+  EXPECT_DOUBLE_EQ(belief.standing(), 0.5);
+  EXPECT_DOUBLE_EQ(belief.elsewhere(), 0.125);
+  EXPECT_DOUBLE_EQ(belief.probability(0), 0.125);
+  EXPECT_DOUBLE_EQ(belief.probability(IntentionBelief::kStanding), 0.5);
+  EXPECT_EQ(belief.mostLikely(), IntentionBelief::kStanding);
+  EXPECT_EQ(belief.sample(0.374), 1u);
+  EXPECT_EQ(belief.sample(0.376), IntentionBelief::kStanding);
+  EXPECT_EQ(belief.sample(0.874), IntentionBelief::kStanding);
+  EXPECT_EQ(belief.sample(0.876), IntentionBelief::kElsewhere);
+}
+
+TEST(IntentionBelief, IgnoresWeightsThatAreNone) {
+  IntentionBelief belief(2, 0.2, 0.3);
+  belief.assign({0.0, 0.0}, 0.0, 0.0);
+  belief.assign({1.0, std::nan("")}, 1.0, 1.0);
+  EXPECT_DOUBLE_EQ(belief.standing(), 0.2);
+  EXPECT_EQ(belief.probabilities(), std::vector<double>(2, 0.25));
+}
+
 }  // namespace
 }  // namespace pomdp_crowd_nav

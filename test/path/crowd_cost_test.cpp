@@ -75,5 +75,17 @@ TEST(CrowdCost, SumsUpAndOfNobodyIsNothing) {
   EXPECT_EQ(cost.at(20.0, 20.0, 3), 0.0);
 }
 
+TEST(CrowdCost, WhoStandsOrWalksElsewhereIsAvoidedThere) {
+  PersonBelief person = uncertain({20.0, 20.0});
+  person.walk = Point(0.0, 1.0);
+  person.intention.assign(std::vector<double>(kDestinations.size(), 0.0), 0.9, 0.1);
+  CrowdCost::Params params;
+  EXPECT_TRUE(std::isinf(costAt(params, person, {20.0, 21.5}, 10)));
+  EXPECT_EQ(costAt(params, person, {20.0, 23.0}, 10), 0.0);
+  person.intention.assign(std::vector<double>(kDestinations.size(), 0.0), 0.1, 0.9);
+  EXPECT_TRUE(std::isinf(costAt(params, person, {20.0, 30.0}, 10)));
+  EXPECT_EQ(costAt(params, person, {20.0, 20.0}, 10), 0.0);
+}
+
 }  // namespace
 }  // namespace pomdp_crowd_nav

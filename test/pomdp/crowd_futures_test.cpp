@@ -228,5 +228,57 @@ TEST(CrowdFutures, NobodyIsFine) {
   EXPECT_NO_THROW(futures.at(3, 6));
 }
 
+PersonBelief personWho(double stands, double walks_on) {
+  PersonBelief person{1, {50.0, 50.0}, {0.0, 0.0}, 1.2, IntentionBelief(4), {0.3, -0.4}};
+  person.intention.assign(std::vector<double>(4, 0.25 * (1.0 - stands - walks_on)), stands,
+                          walks_on);
+  return person;
+}
+
+TEST(CrowdFutures, WhoStandsStaysButForNoise) {
+  const CrowdFutures still = drawn({20, 30, 1.0, Bounds()}, {personWho(1.0, 0.0)}, 1, 0.0);
+  const CrowdFutures swaying = drawn({200, 10, 1.0, Bounds()}, {personWho(1.0, 0.0)}, 1, 0.1);
+  for (int k = 0; k < 20; ++k) {
+    ASSERT_FLOAT_EQ(still.at(k, 30)[0].x, 50.0F);
+    ASSERT_FLOAT_EQ(still.at(k, 30)[0].y, 50.0F);
+  }
+  double mean_x = 0.0, variance = 0.0;
+  for (int k = 0; k < 200; ++k) {
+    const double dx = swaying.at(k, 10)[0].x - 50.0;
+    const double dy = swaying.at(k, 10)[0].y - 50.0;
+    mean_x += dx / 200.0;
+    variance += (dx * dx + dy * dy) / 200.0;
+    ASSERT_LE(std::hypot(dx, dy), 1.0 + 1e-4) << "ten steps of at most 0.1 m";
+  }
+  EXPECT_NEAR(mean_x, 0.0, 0.06);
+  EXPECT_NEAR(variance, 10.0 * 0.1 * 0.1 / 3.0, 0.01);  // of ten uniform draws
+}
+
+TEST(CrowdFutures, WhoWalksElsewhereGoesStraightOnUpToTheBorder) {
+  const CrowdFutures futures = drawn({5, 200, 1.0, Bounds()}, {personWho(0.0, 1.0)}, 1, 0.0);
+  for (int k = 0; k < 5; ++k) {
+    for (int d = 0; d <= 100; ++d) {
+      ASSERT_NEAR(futures.at(k, d)[0].x, 50.0 + 0.3 * d, 1e-3);
+      ASSERT_NEAR(futures.at(k, d)[0].y, 50.0 - 0.4 * d, 1e-3);
+    }
+    EXPECT_EQ(futures.at(k, 200)[0].y, 0.0F);
+    EXPECT_LE(futures.at(k, 200)[0].x, 100.0F);
+  }
+}
+
+TEST(CrowdFutures, HypothesesAreDrawnAsOftenAsTheyAreLikely) {
+  constexpr int kScenarios = 20000;
+  const auto futures = drawn({kScenarios, 1, 1.0, Bounds()}, {personWho(0.5, 0.3)}, 3, 0.0);
+  int standing = 0, elsewhere = 0;
+  for (int k = 0; k < kScenarios; ++k) {
+    const double dx = futures.at(k, 1)[0].x - 50.0;
+    const double dy = futures.at(k, 1)[0].y - 50.0;
+    if (std::hypot(dx, dy) < 1e-3) ++standing;
+    if (std::hypot(dx - 0.3, dy + 0.4) < 1e-3) ++elsewhere;
+  }
+  EXPECT_NEAR(standing / static_cast<double>(kScenarios), 0.5, 0.015);
+  EXPECT_NEAR(elsewhere / static_cast<double>(kScenarios), 0.3, 0.015);
+}
+
 }  // namespace
 }  // namespace pomdp_crowd_nav

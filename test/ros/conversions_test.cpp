@@ -185,6 +185,18 @@ TEST(Odometry, OutOfRangeIsToldFromWhatABaseCanDo) {
   EXPECT_FALSE(isWithin(reading, range));
 }
 
+TEST(Beliefs, SayAllProbabilities) {
+  PersonBelief person{7, Point(1.0, 2.0), Point(0.5, 0.0), 1.0, IntentionBelief(2, 0.3, 0.1)};
+  const CrowdBeliefMessage message =
+      toMessage(CrowdBelief{0.0, {person}}, {Point(0.0, 0.0), Point(9.0, 0.0)}, std_msgs::Header());
+  ASSERT_EQ(message.people.size(), 1u);
+  const PersonBeliefMessage& belief = message.people[0];
+  EXPECT_EQ(belief.id, 7);
+  EXPECT_EQ(belief.probabilities, (std::vector<double>(2, 0.3)));
+  EXPECT_DOUBLE_EQ(belief.probability_standing, 0.3);
+  EXPECT_DOUBLE_EQ(belief.probability_elsewhere, 0.1);
+}
+
 TEST(Paths, PointAlongTheWay) {
   const nav_msgs::Path path =
       toMessage({Point(0.0, 0.0), Point(0.0, 1.0), Point(1.0, 1.0)}, std_msgs::Header());

@@ -93,6 +93,25 @@ TEST(BeliefMarkers, ShowTheLikeliestDestinationMoreOpaqueTheSurer) {
   EXPECT_FALSE(array.markers[3].points.empty()) << "the attended person has a ring";
 }
 
+TEST(BeliefMarkers, TellWhoStandsAndWhoWalksElsewhere) {
+  const std::vector<Point> destinations = {Point(0.0, 0.0), Point(10.0, 0.0)};
+  PersonBelief stands{1, Point(5.0, 5.0), Point(0.0, 0.0), 1.0, IntentionBelief(2, 0.8, 0.1)};
+  PersonBelief leaves{
+      2, Point(5.0, 5.0), Point(0.0, 0.0), 1.0, IntentionBelief(2, 0.1, 0.8), Point(0.0, 1.0)};
+  const CrowdBelief crowd{0.0, {stands, leaves}};
+  const MarkerArray array = beliefMarkers({crowd, destinations, {}, 1.0}, std_msgs::Header());
+  expectSound(array);
+  const Marker& discs = array.markers[1];
+  ASSERT_EQ(discs.points.size(), 2u);
+  EXPECT_EQ(discs.colors[0].r, 0.0F);
+  EXPECT_GT(discs.colors[1].r, 0.0F);
+  EXPECT_EQ(discs.colors[1].r, discs.colors[1].g);
+  const Marker& ways = array.markers[2];
+  ASSERT_EQ(ways.points.size(), 2u) << "who stands has no way";
+  EXPECT_DOUBLE_EQ(ways.points[1].x, 5.0);
+  EXPECT_GT(ways.points[1].y, 5.0);
+}
+
 TEST(CrowdMarkers, KeepTheLimitInALargeCrowd) {
   std::vector<Walker> walkers;
   for (int i = 0; i < 20000; ++i) walkers.push_back({i, Point(i, 0.0)});

@@ -16,6 +16,7 @@ import unittest
 import rosgraph
 import roslib.packages
 import rosunit
+import yaml
 
 PACKAGE = "pomdp_crowd_nav"
 SHARE = pathlib.Path(__file__).resolve().parents[2]
@@ -328,6 +329,47 @@ class RunReplayTasksTest(BadInputTest):
         result = self.run_program("run_replay_tasks", "--tracks", "none.csv", "--tasks",
                                   str(self.folder / "tasks.json"))
         self.assertNotIn("json.exception", result.stderr)
+
+
+class LearnDestinationsTest(BadInputTest):
+    NAME = "learn_destinations"
+
+    # Six people from one door to another, and one who is there all the time.
+    def tracks(self):
+        rows = [(0, 99, 5, 5), (60, 99, 5, 5)]
+        for i in range(6):
+            rows += [(5 + i, i, 0, 0.1 * i), (15 + i, i, 10, 0.1 * i)]
+        return self.write("people.csv", TRACKS_HEADER + "".join(
+            f"{t},{person},{x},{y}\n" for t, person, x, y in sorted(rows)))
+
+    def expect(self, args, *words):
+        self.expect_refusal(self.NAME, args, *words)
+
+    def test_finds_the_doors(self):
+        result = self.run_program(self.NAME, "--tracks", self.tracks(), "--output", "places.yaml")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("[10.00, 0.25]: 6 people", result.stdout)
+        self.assertIn("2 destinations from 6 walks", result.stderr)
+        places = yaml.safe_load((self.folder / "places.yaml").read_text())
+        self.assertEqual(sorted(places["destinations"]), [[0.0, 0.25], [10.0, 0.25]])
+        self.expect(["--tracks", self.tracks(), "--output", "places.yaml"], "--output", "exists")
+
+    def test_missing_file(self):
+        self.expect(["--tracks", "nowhere.csv"], "nowhere.csv")
+        self.expect(["--tracks", "nowhere.bag"], "nowhere.bag")
+        self.expect([], "--tracks")
+
+    def test_file_that_is_no_recording(self):
+        self.expect(["--tracks", self.write("t.csv", "time,x\n")], "t.csv:1", TRACKS_HEADER[:-1])
+        self.expect(["--tracks", self.write("t.bag", "no bag at all\n")], "t.bag: ")
+
+    def test_recording_in_which_nothing_is_found(self):
+        self.expect(["--tracks", self.tracks(), "--min-people", "7"], "people.csv", "7 people")
+
+    def test_numbers_out_of_range(self):
+        for option, value in (("--min-people", "0"), ("--merge-distance", "nan"),
+                              ("--min-walk", "-1")):
+            self.expect(["--tracks", self.tracks(), option, value], option, f"'{value}'")
 
 
 class RosrunTest(unittest.TestCase):

@@ -1,38 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <optional>
 #include <vector>
 
-#include "pomdp_crowd_nav/belief/intention_belief.h"
-#include "pomdp_crowd_nav/world/track.h"
+#include "pomdp_crowd_nav/belief/crowd_belief.h"
+#include "pomdp_crowd_nav/belief/intention_model.h"
 
 namespace pomdp_crowd_nav {
 
-// One visible person: where, how fast, and where to.
-struct PersonBelief {
-  std::int64_t id = 0;
-  Point position{0.0, 0.0};  // [m], newest track
-  Point velocity{0.0, 0.0};  // [m/s], of the newest track
-  double speed = 1.0;        // [m/s], walking speed to plan with
-  IntentionBelief intention;
-};
-
-// Everybody visible at `stamp`, by increasing id.
-struct CrowdBelief {
-  double stamp = 0.0;  // [s]
-  std::vector<PersonBelief> people;
-};
-
-// Everybody of a belief as tracks: those seen and those remembered.
-TrackList tracksOf(const CrowdBelief& crowd);
-
-// Moves everybody on for `duration` seconds at the velocity last seen; stamps move along.
-void predictPeople(double duration, CrowdBelief& crowd, TrackList& tracks);
-
-// Keeps a belief for every visible track: uniform when new, updated every `update_period` from the
-// progress made since the last update. Who is missing from a sweep is moved on at its last velocity
-// and forgotten after `memory`, so that a missed detection is no disappearance.
+// Keeps a belief for every visible track: the first one when new, updated every `update_period`
+// from the way walked since the last update. Who is missing from a sweep is moved on at its last
+// velocity and forgotten after `memory`, so that a missed detection is no disappearance. A tracker
+// may lose somebody and find them again under another id: the new track inherits what is known.
 class BeliefTracker {
  public:
   struct Params {
@@ -41,6 +20,12 @@ class BeliefTracker {
     double walking_speed = 1.0;
     double speed_smoothing = 0.5;  // weight of the newest speed in (0, 1]
     double memory = 0.0;           // [s] a person is kept unseen; 0: forgotten at once (paper)
+    // [m] from where a vanished person should be now, a new track within is that person, and so is
+    // one that had another id until now; 0: a new track is a new person (paper)
+    double inherit_distance = 0.0;
+    // Whether people may stand or walk elsewhere; false: the paper's rule.
+    bool expect_elsewhere = false;
+    IntentionModel::Params intention;  // where people may stand or walk elsewhere
   };
 
   // Throws std::invalid_argument without destinations or with a parameter out of range.
@@ -59,15 +44,26 @@ class BeliefTracker {
   struct LastUpdate {
     double stamp = 0.0;
     Point position{0.0, 0.0};
-    double seen = 0.0;  // [s], stamp of the newest track
+    double seen = 0.0;      // [s], stamp of the newest track
+    bool has_walk = false;  // whether person.walk is known
   };
+  struct Known {
+    PersonBelief person;
+    LastUpdate last;
+  };
+  struct Sweep;
 
-  PersonBelief newPerson(const Track& track) const;
-  bool remember(double stamp, PersonBelief& person, const LastUpdate& last) const;
-  void follow(const Track& track, double stamp, PersonBelief& person, LastUpdate& last) const;
+  Known newPerson(const Track& track, double stamp) const;
+  void sortOut(const TrackList& tracks, Sweep& sweep);
+  void handOver(Sweep& sweep) const;
+  bool isSame(const Track& track, double stamp, const PersonBelief& person) const;
+  bool remember(double stamp, Known& known) const;
+  void follow(const Track& track, double stamp, Known& known) const;
+  void learnFrom(const ObservedWalk& walk, Known& known) const;
 
   std::vector<Point> destinations_;
   Params params_;
+  IntentionModel model_;
   CrowdBelief belief_;
   std::vector<LastUpdate> last_updates_;  // parallel to belief_.people
 };

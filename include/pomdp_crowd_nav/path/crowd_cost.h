@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "pomdp_crowd_nav/belief/belief_tracker.h"
+#include "pomdp_crowd_nav/belief/crowd_belief.h"
 #include "pomdp_crowd_nav/world/static_map.h"
 
 namespace pomdp_crowd_nav {
@@ -12,15 +12,16 @@ namespace pomdp_crowd_nav {
 //
 // Who may be heading anywhere stands in the middle of a potential field of strength / distance.
 // Who probably heads for one destination is a disc that walks there: element t is at its end when
-// t elements have been driven at `pace`. Nobody is touched: the disc of the clearance is infinite,
-// for the uncertain too. Where the path begins inside somebody's disc, that disc is as small.
+// t elements have been driven at `pace`. Who probably stands is a disc that does not move. Nobody
+// is touched: the disc of the clearance is infinite, for the uncertain too. Where the path begins
+// inside somebody's disc, that disc is as small.
 class CrowdCost {
  public:
   struct Params {
     double clearance = 2.0;        // [m], D_ped + L
     double field_strength = 10.0;  // [m], cost 1 m from somebody
     double field_radius = 20.0;    // [m]
-    double sure_belief = 0.5;      // probability of a destination from which on somebody is sure
+    double sure_belief = 0.5;      // probability of a hypothesis from which on somebody is sure
     double pace = 1.0;             // [m/s], of the robot
     bool field_on_way = false;     // who is sure has a field too, which walks along
   };

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "pomdp_crowd_nav/belief/belief_tracker.h"
+#include "pomdp_crowd_nav/belief/crowd_belief.h"
 #include "pomdp_crowd_nav/world/vehicle.h"
 
 namespace pomdp_crowd_nav {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "pomdp_crowd_nav/belief/belief_tracker.h"
+#include "pomdp_crowd_nav/belief/crowd_belief.h"
 #include "pomdp_crowd_nav/despot/noise_streams.h"
 #include "pomdp_crowd_nav/world/pedestrian.h"
 #include "pomdp_crowd_nav/world/static_map.h"
@@ -15,7 +15,8 @@ namespace pomdp_crowd_nav {
 //
 // People do not react to the robot, so this table holds everything that is random in the POMDP; a
 // step of the model then is a robot move and a few distance tests. In each scenario every person
-// walks to one destination, drawn from its belief; positions are clamped to the field.
+// does one thing, drawn from its belief: walk to a destination, stand, but for the noise of the
+// model to and fro, or walk on straight ahead. Positions are clamped to the field.
 class CrowdFutures {
  public:
   struct Shape {

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <optional>
+
+#include "option_checks.h"
+#include "pomdp_crowd_nav/evaluation/destination_learning.h"
+#include "pomdp_crowd_nav/evaluation/durable_file.h"
+#include "pomdp_crowd_nav/ros/bag_tracks.h"
+#include "progress.h"
+
+using namespace pomdp_crowd_nav;
+
+namespace {
+
+struct Options {
+  BagSource tracks;
+  LearningParams learning;
+  std::string output;
+};
+
+void addOptions(CLI::App& app, Options& options) {
+  app.add_option("--tracks", options.tracks.path,
+                 "Recorded people: a bag if its name ends in .bag, else a CSV with the header "
+                 "time_s,ped_id,x_m,y_m")
+      ->required();
+  app.add_option("--topic", options.tracks.topic, "TrackedPersons in the bag")
+      ->capture_default_str();
+  app.add_option("--frame", options.tracks.frame, "Frame of the tracks in the bag")
+      ->capture_default_str();
+  app.add_option("--min-people", options.learning.min_people,
+                 "Who begin or end their walk at a destination, at least")
+      ->check(wholeNumber(1, 1000000))
+      ->capture_default_str();
+  app.add_option("--merge-distance", options.learning.merge_distance,
+                 "Ends of walks this close to a destination belong to it [m]")
+      ->check(positiveNumber())
+      ->capture_default_str();
+  app.add_option("--min-walk", options.learning.min_walk,
+                 "Who gets less far from where they began does not count [m]")
+      ->check(positiveNumber())
+      ->capture_default_str();
+  app.add_option("--output", options.output, "yaml to write; standard output without it");
+}
+
+std::vector<TrackSample> readTracks(const BagSource& source) {
+  if (std::filesystem::path(source.path).extension() != ".bag") return readTracksFile(source.path);
+  constexpr size_t kLongBag = 20000;  // messages; a shorter one is read at once
+  std::optional<Progress> progress;
+  return readTracksBag(source, [&](size_t done, size_t total) {
+    if (total < kLongBag) return;
+    if (!progress) progress.emplace(0, total, "messages");
+    progress->show(done);
+  });
+}
+
+void run(const Options& options) {
+  if (!options.output.empty() && std::filesystem::exists(options.output)) {
+    throw std::runtime_error(fmt::format("--output: cannot write '{}': it exists", options.output));
+  }
+  const LearnedDestinations learned =
+      learnDestinations(readTracks(options.tracks), options.learning);
+  if (learned.destinations.empty()) {
+    throw std::runtime_error(
+        fmt::format("{}: nowhere do {} people begin or end a walk: {} walks are long enough",
+                    options.tracks.path, options.learning.min_people, learned.walks));
+  }
+  fmt::print(stderr, "{} destinations from {} walks; {} of {} beginnings and ends are near one\n",
+             learned.destinations.size(), learned.walks, learned.ends_near, learned.ends);
+  if (options.output.empty()) {
+    fmt::print("{}", toYaml(learned));
+    return;
+  }
+  replaceFile(options.output, toYaml(learned));
+  for (const LearnedDestination& one : learned.destinations) {
+    fmt::print("[{:.2f}, {:.2f}]: {} people\n", one.position.x(), one.position.y(), one.people);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Finds out from recorded people where they come from and go to."};
+  Options options;
+  addOptions(app, options);
+  try {
+    app.parse(argc, argv);
+    run(options);
+  } catch (const CLI::CallForHelp& help) {
+    return app.exit(help);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "learn_destinations: {}\n", error.what());
+    return 2;
+  }
+  return 0;
+}
