@@ -31,7 +31,8 @@ InputListener::InputListener(ros::NodeHandle& node, const PlannerNodeParams& par
       max_speed_(params.navigation.planning.model.vehicle.max_speed),
       drive_(drive),
       transforms_(buffer_),
-      tracker_(params.destinations, params.navigation.belief) {
+      tracker_(params.destinations, params.navigation.belief),
+      map_policy_(params.map) {
   odometry_ = node.subscribe("odom", kQueue, &InputListener::onOdometry, this,
                              ros::TransportHints().tcpNoDelay());
   persons_ = node.subscribe("tracked_persons", kQueue, &InputListener::onPersons, this,
@@ -92,9 +93,9 @@ void InputListener::onMap(const nav_msgs::OccupancyGrid& grid) {
   }
   if (same) return drive_.with([](Drive& drive) { drive.inputs.map_at = steadySeconds(); });
   try {
-    const bool is_world = world_map_ && isDrawingOf(*world_map_, grid);
+    const bool is_world = world_map_ && isDrawingOf(*world_map_, grid, map_policy_);
     if (world_map_ && !is_world) ROS_INFO("the map on the topic is used, not the world file's");
-    useMap(is_world ? world_map_ : toStaticMap(grid));
+    useMap(is_world ? world_map_ : toStaticMap(grid, map_policy_));
     last_grid_ = grid;
   } catch (const std::invalid_argument& error) {
     ROS_ERROR("%s", error.what());

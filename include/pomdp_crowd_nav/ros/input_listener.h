@@ -54,6 +54,7 @@ class InputListener {
   ros::Time last_time_;                         // touched under the lock of drive_ only
   std::shared_ptr<const StaticMap> world_map_;  // the world file's, if there is one
   nav_msgs::OccupancyGrid last_grid_;
+  MapPolicy map_policy_;
   ros::Subscriber odometry_, persons_, map_;
 };
 
