@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pomdp_crowd_nav/ros/drive.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace pomdp_crowd_nav {
@@ -23,7 +25,7 @@ StopCause missingOdometry(const Inputs& inputs, const InputLimits& limits, doubl
   return StopCause::kNoOdometry;
 }
 
-std::uint8_t stateOf(const Drive& drive, StopCause cause) {
+std::uint8_t stateOf(const Drive& drive, StopCause cause, double now) {
   if (drive.ending) return PlannerStatus::STOPPING;
   if (!drive.hasGoal()) return drive.paused ? PlannerStatus::PAUSED : PlannerStatus::IDLE;
   switch (cause) {
@@ -34,6 +36,8 @@ std::uint8_t stateOf(const Drive& drive, StopCause cause) {
     case StopCause::kNone:
     case StopCause::kNoDecision:
     case StopCause::kEmergency:
+    case StopCause::kObstacle:
+      if (drive.progress.isBlocked(now)) return PlannerStatus::BLOCKED;
       return drive.blocker.id >= 0 ? PlannerStatus::WAITING_FOR_PEOPLE : PlannerStatus::DRIVING;
     default:
       return PlannerStatus::WAITING_FOR_INPUT;
@@ -41,10 +45,21 @@ std::uint8_t stateOf(const Drive& drive, StopCause cause) {
 }
 
 const char* nameOf(std::uint8_t state) {
-  constexpr const char* kNames[] = {"IDLE",    "PREPARING",          "WAITING_FOR_INPUT",
-                                    "DRIVING", "WAITING_FOR_PEOPLE", "PAUSED",
-                                    "STOPPING"};
+  constexpr const char* kNames[] = {
+      "IDLE",     "PREPARING", "WAITING_FOR_INPUT", "DRIVING", "WAITING_FOR_PEOPLE", "PAUSED",
+      "STOPPING", "BLOCKED"};
   return kNames[state];
+}
+
+// Empty while the robot drives.
+std::string describeState(const Drive& drive, std::uint8_t state, StopCause cause, double now) {
+  if (drive.ending) return drive.ending->text;
+  if (state == PlannerStatus::BLOCKED) return whyBlocked(drive, cause, now);
+  if (state == PlannerStatus::WAITING_FOR_PEOPLE && cause == StopCause::kNone) {
+    return fmt::format("person {} is in the way since {:.1f} s", drive.blocker.id,
+                       now - drive.blocker.since);
+  }
+  return describe(cause);
 }
 
 }  // namespace
@@ -73,10 +88,20 @@ const char* describe(StopCause cause) {
       return "no decision in time";
     case StopCause::kEmergency:
       return "emergency brake, a person is too close";
+    case StopCause::kObstacle:
+      return "an obstacle of the new map is in the way";
     case StopCause::kPaused:
       return "paused";
   }
   return "";
+}
+
+InputLimits inputLimits(const PlannerNodeParams& params) {
+  InputLimits limits;
+  limits.odometry = params.navigation.odom_timeout;
+  limits.people = params.navigation.people_timeout;
+  limits.map = params.map_timeout;
+  return limits;
 }
 
 bool isPoseJump(const RobotReading& from, const RobotReading& to, double max_speed) {
@@ -111,12 +136,22 @@ StopCause stopCause(const Drive& drive, const InputLimits& limits, double now) {
   return drive.reflex_or_miss == StopCause::kNone ? StopCause::kNoDecision : drive.reflex_or_miss;
 }
 
+std::string whyBlocked(const Drive& drive, StopCause cause, double now) {
+  const std::string stalled =
+      fmt::format("no progress for {:.0f} s", drive.progress.stalledFor(now));
+  if (drive.blocker.id >= 0) {
+    return fmt::format("{}: person {} is in the way", stalled, drive.blocker.id);
+  }
+  if (cause != StopCause::kNone) return stalled + ": " + describe(cause);
+  return stalled + ": no way on is found";
+}
+
 PlannerStatus toStatus(const Drive& drive, const InputLimits& limits, double now) {
   const StopCause cause = stopCause(drive, limits, now);
   PlannerStatus status;
-  status.state = stateOf(drive, cause);
+  status.state = stateOf(drive, cause, now);
   status.state_name = nameOf(status.state);
-  status.stop_cause = drive.ending ? drive.ending->text : describe(cause);
+  status.stop_cause = describeState(drive, status.state, cause, now);
   status.odom_age = drive.inputs.robot ? now - drive.inputs.robot->measured_at : -1.0;
   status.people_age = age(drive.inputs.tracks_at, now);
   status.map_age = age(drive.inputs.map_at, now);

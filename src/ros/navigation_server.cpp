@@ -7,7 +7,6 @@
 #include <thread>
 
 #include "pomdp_crowd_nav/evaluation/reachability.h"
-#include "pomdp_crowd_nav/planner/planner_factory.h"
 #include "pomdp_crowd_nav/ros/markers.h"
 #include "pomdp_crowd_nav/ros/steady_time.h"
 
@@ -29,7 +28,8 @@ MotionExecutor makeExecutor(const NavigationParams& params) {
 NavigationServer::NavigationServer(ros::NodeHandle node, ros::NodeHandle private_node,
                                    const PlannerNodeParams& params)
     : params_(params),
-      drive_(Drive(makeExecutor(params.navigation))),
+      drive_(Drive(makeExecutor(params.navigation), ProgressWatch(params.navigation.progress))),
+      map_work_(params.navigation.planning.prior.resolution),
       command_loop_(params),
       inputs_(node, params, drive_),
       display_(private_node, params.frames.global, params.destinations),
@@ -38,9 +38,10 @@ NavigationServer::NavigationServer(ros::NodeHandle node, ros::NodeHandle private
       goals_(node, {[this](const auto& goal, std::string& why) { return checkGoal(goal, why); },
                     [this](const Goal& goal) { startTrip(goal); }, [this] { cancelTrip(); }}),
       pause_(private_node.advertiseService("pause", &NavigationServer::onPause, this)),
-      make_plan_(private_node.advertiseService("make_plan", &NavigationServer::onMakePlan, this)),
+      make_plan_(private_node, params, drive_, map_work_,
+                 [this](const auto& goal, std::string& why) { return checkGoal(goal, why); }),
       decisions_(
-          params, drive_,
+          params, drive_, map_work_,
           {[this](const auto& report, const Planner& planner) { reportDecision(report, planner); },
            [this](const Goal& goal, const std::string& why) { failTrip(goal, why); }}),
       command_spinner_(1, &command_queue_) {
@@ -89,8 +90,14 @@ void NavigationServer::startTrip(const Goal& goal) {
   const auto unfinished = drive_.with([&](Drive& drive) {
     const auto ending = drive.ending;
     drive.ending.reset();
+    // A newer goal of a robot that is driving is driven to without a stop.
+    if (!drive.hasGoal()) {
+      drive.prepared = false;
+      drive.first_goal = goal.number;
+    }
     drive.goal = goal;
-    drive.prepared = false;
+    drive.approaches = 0;
+    drive.progress.begin(steadySeconds());
     drive.blocker = Blocker();
     drive.counts = TripCounts();
     drive.search = SearchStatistics();
@@ -169,37 +176,6 @@ bool NavigationServer::onPause(PauseService::Request& request, PauseService::Res
   drive_.with([&](Drive& drive) { drive.paused = request.data; });
   response.success = true;
   response.message = request.data ? "paused" : "resumed";
-  return true;
-}
-
-bool NavigationServer::onMakePlan(nav_msgs::GetPlan::Request& request,
-                                  nav_msgs::GetPlan::Response& response) {
-  std::string reason;
-  const std::optional<Pose> start = checkGoal(request.start, reason);
-  const std::optional<Pose> goal = start ? checkGoal(request.goal, reason) : std::nullopt;
-  const auto map = drive_.with([](Drive& drive) { return drive.inputs.map; });
-  if (!goal || !map) {
-    ROS_WARN("make_plan: %s", reason.empty() ? "no map yet" : reason.c_str());
-    return false;
-  }
-  try {
-    const auto planner =
-        makePlanner(params_.navigation.planner, Task{*map, goal->position, params_.destinations},
-                    params_.navigation.planning);
-    const std::vector<Point> path = planner->globalPath(start->position);
-    reason = whyNoWay(path, goal->position, *map, params_.navigation);
-    if (!reason.empty()) {
-      ROS_WARN("make_plan: %s", reason.c_str());
-      return false;
-    }
-    std_msgs::Header header;
-    header.frame_id = params_.frames.global;
-    header.stamp = ros::Time::now();
-    response.plan = toMessage(path, header);
-  } catch (const std::exception& error) {
-    ROS_WARN("make_plan: %s", error.what());
-    return false;
-  }
   return true;
 }
 

@@ -26,6 +26,7 @@ enum class StopCause {
   kPreparing,
   kNoDecision,
   kEmergency,
+  kObstacle,  // of a map that the planner does not know yet
   kPaused
 };
 
@@ -83,16 +84,22 @@ struct Drive {
   Goal goal;  // number 0: none
   std::optional<Ending> ending;
   bool paused = false;
-  bool prepared = false;                        // the planner for the goal stands
-  StopCause reflex_or_miss = StopCause::kNone;  // why the base brakes until the next decision
+  bool prepared = false;  // a planner of this trip stands, of its newest goal and map or of others
+  long first_goal = 0;    // of the trip; those after it came while the robot was driving
+  int approaches = 0;     // times the base had to go back to the goal
+  std::shared_ptr<const StaticMap> planned_map;  // the planner's
+  StopCause reflex_or_miss = StopCause::kNone;   // why the base brakes until the next decision
   MotionExecutor executor;
   Blocker blocker;
+  ProgressWatch progress;
   TripCounts counts;
   SearchStatistics search;  // of the last decision
   double cycle_time = 0.0;  // [s], of the last decision
   std::string action;       // of the last decision
 
-  explicit Drive(const MotionExecutor& motion_executor) : executor(motion_executor) {}
+  explicit Drive(const MotionExecutor& motion_executor,
+                 const ProgressWatch& progress_watch = ProgressWatch())
+      : executor(motion_executor), progress(progress_watch) {}
 
   bool hasGoal() const { return goal.number != 0; }
 };
@@ -105,6 +112,8 @@ struct InputLimits {
   double watching = 1.0;  // unbroken tracks needed before the first decision
 };
 
+InputLimits inputLimits(const PlannerNodeParams& params);
+
 // No base gets from one reading to the other; it was put elsewhere or found that it is.
 bool isPoseJump(const RobotReading& from, const RobotReading& to, double max_speed);
 
@@ -113,6 +122,9 @@ StopCause missingInput(const Inputs& inputs, const InputLimits& limits, double n
 
 // Why the base does not follow a decision at the moment.
 StopCause stopCause(const Drive& drive, const InputLimits& limits, double now);
+
+// Why there is no progress.
+std::string whyBlocked(const Drive& drive, StopCause cause, double now);
 
 // All but the header.
 PlannerStatus toStatus(const Drive& drive, const InputLimits& limits, double now);
