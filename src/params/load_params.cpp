@@ -161,6 +161,11 @@ void readSafety(ParamReader& reader, NavigationParams& params) {
   reader.read("emergency/reaction_time", params.emergency.reaction_time);
   reader.read("command/hold_time", params.command.hold_time);
   reader.read("command/yaw_gain", params.command.yaw_gain);
+  reader.read("trans_stopped_vel", params.trans_stopped_vel);
+  reader.read("rot_stopped_vel", params.rot_stopped_vel);
+  reader.read("progress_distance", params.progress.distance);
+  reader.read("blocked_timeout", params.progress.blocked_timeout);
+  reader.read("abort_timeout", params.progress.abort_timeout);
   reader.read("odom_timeout", params.odom_timeout);
   reader.read("people_timeout", params.people_timeout);
   reader.read("transform_tolerance", params.transform_tolerance);
@@ -196,6 +201,9 @@ void validate(const NavigationParams& params) {
   requirePositive("controller_frequency", params.controller_frequency);
   requirePositive("yaw_goal_tolerance", params.yaw_goal_tolerance);
   requireHeadingWithin(params);
+  requirePositive("trans_stopped_vel", params.trans_stopped_vel);
+  requirePositive("rot_stopped_vel", params.rot_stopped_vel);
+  ProgressWatch{params.progress};  // throws where they make no sense
   requirePositive("odom_timeout", params.odom_timeout);
   requirePositive("people_timeout", params.people_timeout);
   validate(params.guard);

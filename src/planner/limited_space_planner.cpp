@@ -46,7 +46,8 @@ NavigationField wayToGoal(const Task& task, const PlannerParams& params) {
   prior.clearance = params.model.obstacleClearance();
   prior.extra_clearance = 0.0;
   const char* kind = task.map.hasObstacles() ? "fast_marching" : "straight_line";
-  return NavigationField(*makePrior(kind, task.map, task.goal, prior), task.map, prior.resolution);
+  const auto clearances = clearancesOf(task, prior);
+  return NavigationField(*makePrior(kind, *clearances, task.goal, prior), *clearances);
 }
 
 void addPoints(const Path& path, std::vector<Point>& points) {

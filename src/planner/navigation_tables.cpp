@@ -8,11 +8,10 @@
 namespace pomdp_crowd_nav {
 
 NavigationTables::NavigationTables(std::shared_ptr<const RolloutPrior> prior_of_map,
-                                   const StaticMap& map, const ModelParams& model,
-                                   double resolution)
+                                   const ClearanceGrid& map, const ModelParams& model)
     : prior(std::move(prior_of_map)),
-      field(*prior, map, resolution),
-      shortest_way(makeShortestWay(model, field, map)) {}
+      field(*prior, map),
+      shortest_way(makeShortestWay(model, field, map.map)) {}
 
 SharedTables::Pointer SharedTables::of(const std::string& prior,
                                        const std::function<Pointer()>& make) {

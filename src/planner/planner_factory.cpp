@@ -23,12 +23,12 @@ std::unique_ptr<Planner> makeExtendedSpace(const char* prior, const Task& task,
   PriorParams prior_params = params.prior;
   prior_params.clearance = params.model.obstacleClearance();
   const auto make = [&] {
-    PriorPointer path = makePrior(prior, task.map, task.goal, prior_params);
+    const auto clearances = clearancesOf(task, prior_params);
+    PriorPointer path = makePrior(prior, *clearances, task.goal, prior_params);
     if (looks_ahead) {
       path = std::make_shared<LookAheadPrior>(std::move(path), prior_params.look_ahead);
     }
-    return std::make_shared<const NavigationTables>(std::move(path), task.map, params.model,
-                                                    prior_params.resolution);
+    return std::make_shared<const NavigationTables>(std::move(path), *clearances, params.model);
   };
   return std::make_unique<ExtendedSpacePlanner>(
       task, task.shared_tables ? task.shared_tables->of(prior, make) : make(), params);
@@ -74,6 +74,15 @@ const Entry kPlanners[] = {
 };
 
 }  // namespace
+
+std::shared_ptr<const ClearanceGrid> clearancesOf(const Task& task, const PriorParams& params) {
+  if (task.clearances) return task.clearances;
+  if (!(params.resolution > 0.0)) {
+    throw std::invalid_argument(
+        fmt::format("prior.resolution must be positive, got {}", params.resolution));
+  }
+  return std::make_shared<const ClearanceGrid>(task.map, params.resolution);
+}
 
 std::vector<std::string> plannerNames() {
   std::vector<std::string> names;

@@ -23,10 +23,12 @@ void forEachNeighbour(const GridFrame& grid, int column, int row, Visit visit) {
 std::vector<float> timesWithoutJumps(const ArrivalTimeField& field, const SpeedMap& speed_map) {
   const GridFrame& grid = field.grid();
   constexpr float kJump = 2.0F;  // a neighbour faster by this factor is across an edge
+  const float fastest = *std::max_element(speed_map.speed.begin(), speed_map.speed.end());
   std::vector<float> times = field.times();
   for (int row = 0; row < grid.rows; ++row) {
     for (int column = 0; column < grid.columns; ++column) {
       const size_t cell = grid.index(column, row);
+      if (fastest < kJump * speed_map.speed[cell]) continue;
       float latest = -1.0F;
       forEachNeighbour(grid, column, row, [&](int c, int r) {
         const size_t beside = grid.index(c, r);

@@ -18,39 +18,36 @@ FastMarching::FastMarching(const std::vector<float>& speed, int columns, int row
       rows_(rows),
       stride_(columns + 2 * kFrame),
       resolution_(resolution),
-      crossing_time_(static_cast<size_t>(stride_) * (rows + 2 * kFrame), 0.0F),
-      time_(crossing_time_.size(), kNever),
-      trial_time_(crossing_time_.size(), 0.0F),
-      path_length_(crossing_time_.size(), 0.0F) {
+      cells_(static_cast<size_t>(stride_) * (rows + 2 * kFrame), Cell{0.0F, kNever, 0.0F, 0.0F}) {
   const float* next = speed.data();
   for (int row = 0; row < rows; ++row) {
     for (int cell = cellAt(0, row); cell < cellAt(columns, row); ++cell) {
-      crossing_time_[cell] = static_cast<float>(resolution / *next++);
-      trial_time_[cell] = kNever;
+      cells_[cell].crossing_time = static_cast<float>(resolution / *next++);
+      cells_[cell].trial_time = kNever;
     }
   }
 }
 
 void FastMarching::accept(int column, int row, double time, double path_length) {
   const int cell = cellAt(column, row);
-  time_[cell] = static_cast<float>(time);
-  path_length_[cell] = static_cast<float>(path_length);
-  trial_time_[cell] = 0.0F;
+  cells_[cell].time = static_cast<float>(time);
+  cells_[cell].path_length = static_cast<float>(path_length);
+  cells_[cell].trial_time = 0.0F;
 }
 
 void FastMarching::run() {
   for (int row = 0; row < rows_; ++row) {
     for (int cell = cellAt(0, row); cell < cellAt(columns_, row); ++cell) {
-      if (time_[cell] != kNever) updateNeighbours(cell);
+      if (cells_[cell].time != kNever) updateNeighbours(cell);
     }
   }
   while (!queue_.empty()) {
     const Trial earliest = queue_.front();
     std::pop_heap(queue_.begin(), queue_.end());
     queue_.pop_back();
-    if (earliest.time != trial_time_[earliest.cell]) continue;  // improved since, or accepted
-    time_[earliest.cell] = earliest.time;
-    trial_time_[earliest.cell] = 0.0F;
+    if (earliest.time != cells_[earliest.cell].trial_time) continue;  // improved since, or accepted
+    cells_[earliest.cell].time = earliest.time;
+    cells_[earliest.cell].trial_time = 0.0F;
     updateNeighbours(earliest.cell);
   }
 }
@@ -63,31 +60,32 @@ void FastMarching::updateNeighbours(int cell) {
 }
 
 void FastMarching::update(int cell) {
-  if (trial_time_[cell] == 0.0F) return;
+  if (cells_[cell].trial_time == 0.0F) return;
   const Arrival found = arrival(cell);
   const auto time = static_cast<float>(found.time);
-  if (!(time < trial_time_[cell])) return;
-  trial_time_[cell] = time;
-  path_length_[cell] = static_cast<float>(found.path_length);
+  if (!(time < cells_[cell].trial_time)) return;
+  cells_[cell].trial_time = time;
+  cells_[cell].path_length = static_cast<float>(found.path_length);
   queue_.push_back({time, cell});
   std::push_heap(queue_.begin(), queue_.end());
 }
 
 // A second-order difference needs a second cell in line that was reached before the first.
 FastMarching::Upwind FastMarching::upwind(int cell, int axis_step, bool second_order) const {
-  const int step = time_[cell - axis_step] <= time_[cell + axis_step] ? -axis_step : axis_step;
-  const double first = time_[cell + step];
+  const int step =
+      cells_[cell - axis_step].time <= cells_[cell + axis_step].time ? -axis_step : axis_step;
+  const double first = cells_[cell + step].time;
   if (first == kNever) return {};
-  const double second = time_[cell + 2 * step];
-  const double length = path_length_[cell + step];
+  const double second = cells_[cell + 2 * step].time;
+  const double length = cells_[cell + step].path_length;
   if (!second_order || second > first) return {1.0, first, length, first};
-  const double second_length = path_length_[cell + 2 * step];
+  const double second_length = cells_[cell + 2 * step].path_length;
   return {2.25, (4.0 * first - second) / 3.0, (4.0 * length - second_length) / 3.0, first};
 }
 
 // The most accurate causal solution: both axes before one, second order before first.
 FastMarching::Arrival FastMarching::arrival(int cell) const {
-  const double crossing_time = crossing_time_[cell];
+  const double crossing_time = cells_[cell].crossing_time;
   Arrival best{kNever, 0.0};
   for (const bool second_order : {true, false}) {
     const Upwind x = upwind(cell, 1, second_order);
@@ -125,12 +123,13 @@ FastMarching::Arrival FastMarching::solve(const Upwind& x, const Upwind& y, doub
   return {time, length};
 }
 
-std::vector<float> FastMarching::withoutFrame(const std::vector<float>& values) const {
+std::vector<float> FastMarching::withoutFrame(float Cell::*value) const {
   std::vector<float> inner;
   inner.reserve(static_cast<size_t>(columns_) * rows_);
   for (int row = 0; row < rows_; ++row) {
-    const auto first = values.begin() + cellAt(0, row);
-    inner.insert(inner.end(), first, first + columns_);
+    for (int cell = cellAt(0, row); cell < cellAt(columns_, row); ++cell) {
+      inner.push_back(cells_[cell].*value);
+    }
   }
   return inner;
 }

@@ -28,17 +28,18 @@ void validate(const PriorParams& params) {
 
 SpeedMap makeSpeedMap(const StaticMap& map, const PriorParams& params) {
   validate(params);
-  SpeedMap speed_map{coveringGrid(map.bounds(), params.resolution), {}};
-  const GridFrame& grid = speed_map.grid;
+  return makeSpeedMap(ClearanceGrid(map, params.resolution), params);
+}
+
+SpeedMap makeSpeedMap(const ClearanceGrid& clearances, const PriorParams& params) {
+  validate(params);
+  SpeedMap speed_map{clearances.grid, {}};
   const double kept_clearance = params.clearance + params.extra_clearance;
   const auto blocked_speed = static_cast<float>(params.blocked_speed);
-  speed_map.speed.reserve(grid.cellCount());
-  for (int row = 0; row < grid.rows; ++row) {
-    for (int column = 0; column < grid.columns; ++column) {
-      const double clearance = map.clearance(grid.center(column, row));
-      const float inside = clearance > 0.0 ? blocked_speed : 0.1F * blocked_speed;
-      speed_map.speed.push_back(clearance >= kept_clearance && clearance > 0.0 ? 1.0F : inside);
-    }
+  speed_map.speed.reserve(clearances.clearance.size());
+  for (const double clearance : clearances.clearance) {
+    const float inside = clearance > 0.0 ? blocked_speed : 0.1F * blocked_speed;
+    speed_map.speed.push_back(clearance >= kept_clearance && clearance > 0.0 ? 1.0F : inside);
   }
   return speed_map;
 }

@@ -13,28 +13,32 @@ constexpr double kEvenRadius = 3.0;  // [m], around the goal; see SourceDisc of 
 
 }  // namespace
 
-SpeedMap makeSquareSpeedMap(const StaticMap& map, const Point& goal, const PriorParams& params) {
+SpeedMap makeSquareSpeedMap(const ClearanceGrid& clearances, const Point& goal,
+                            const PriorParams& params) {
   if (!(params.saturation_distance > 0.0)) {
     throw std::invalid_argument(fmt::format("prior.saturation_distance must be positive, got {}",
                                             params.saturation_distance));
   }
-  SpeedMap speed_map = makeSpeedMap(map, params);
+  SpeedMap speed_map = makeSpeedMap(clearances, params);
   const GridFrame& grid = speed_map.grid;
+  const double at_goal = clearances.map.clearance(goal);
   for (int row = 0; row < grid.rows; ++row) {
     for (int column = 0; column < grid.columns; ++column) {
-      const Point center = grid.center(column, row);
-      const Point place = (center - goal).norm() < kEvenRadius ? goal : center;
-      const double share = map.clearance(place) / params.saturation_distance;
-      float& speed = speed_map.speed[grid.index(column, row)];
+      const size_t cell = grid.index(column, row);
+      const bool is_near = (grid.center(column, row) - goal).norm() < kEvenRadius;
+      const double clearance = is_near ? at_goal : clearances.clearance[cell];
+      const double share = clearance / params.saturation_distance;
+      float& speed = speed_map.speed[cell];
       if (speed == 1.0F) speed = static_cast<float>(std::clamp(share, params.blocked_speed, 1.0));
     }
   }
   return speed_map;
 }
 
-std::shared_ptr<const RolloutPrior> makeFastMarchingSquare(const StaticMap& map, const Point& goal,
+std::shared_ptr<const RolloutPrior> makeFastMarchingSquare(const ClearanceGrid& clearances,
+                                                           const Point& goal,
                                                            const PriorParams& params) {
-  return std::make_shared<FastMarchingPrior>(makeSquareSpeedMap(map, goal, params), goal);
+  return std::make_shared<FastMarchingPrior>(makeSquareSpeedMap(clearances, goal, params), goal);
 }
 
 }  // namespace pomdp_crowd_nav

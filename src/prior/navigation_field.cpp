@@ -22,15 +22,15 @@ PackedDirection packDirection(double x, double y) {
   return static_cast<PackedDirection>(high | low);
 }
 
-NavigationField::NavigationField(const RolloutPrior& prior, const StaticMap& map, double resolution)
-    : bounds_(map.bounds()),
+NavigationField::NavigationField(const RolloutPrior& prior, const ClearanceGrid& clearances)
+    : bounds_(clearances.map.bounds()),
       goal_(prior.goal()),
-      has_obstacles_(map.hasObstacles()),
+      has_obstacles_(clearances.map.hasObstacles()),
       is_straight_line_(prior.isStraightLine()) {
-  const GridFrame grid = coveringGrid(bounds_, resolution);
+  const GridFrame& grid = clearances.grid;
   raster_.min_x = static_cast<float>(grid.origin.x());
   raster_.min_y = static_cast<float>(grid.origin.y());
-  raster_.cells_per_meter = static_cast<float>(1.0 / resolution);
+  raster_.cells_per_meter = static_cast<float>(1.0 / grid.resolution);
   raster_.last_column = static_cast<float>(grid.columns - 1);
   raster_.last_row = static_cast<float>(grid.rows - 1);
   raster_.columns = grid.columns;
@@ -44,7 +44,7 @@ NavigationField::NavigationField(const RolloutPrior& prior, const StaticMap& map
       const auto direction = prior.directionAt({center, 0.0});
       const Point way = direction ? unitVector(*direction) : Point(0.0, 0.0);
       directions_.push_back(packDirection(way.x(), way.y()));
-      clearances_.push_back(finite(map.clearance(center)));
+      clearances_.push_back(finite(clearances.clearance[grid.index(column, row)]));
       distances_.push_back(finite(prior.distanceToGoal(center)));
     }
   }

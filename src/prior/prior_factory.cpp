@@ -15,27 +15,43 @@ namespace {
 
 using PriorPtr = std::shared_ptr<const RolloutPrior>;
 
-PriorPtr makeFastMarching(const StaticMap& map, const Point& goal, const PriorParams& params) {
-  return std::make_shared<FastMarchingPrior>(map, goal, params);
+// A map, sampled when it is asked for unless somebody has done that before.
+struct Source {
+  const StaticMap& map;
+  const ClearanceGrid* sampled = nullptr;
+};
+
+PriorPtr makeFastMarching(const Source& source, const Point& goal, const PriorParams& params) {
+  if (source.sampled == nullptr) {
+    return std::make_shared<FastMarchingPrior>(source.map, goal, params);
+  }
+  return std::make_shared<FastMarchingPrior>(makeSpeedMap(*source.sampled, params), goal);
 }
 
-PriorPtr makeRoadmap(const StaticMap& map, const Point& goal, const PriorParams& params) {
-  return std::make_shared<RoadmapPrior>(map, goal, params);
+PriorPtr makeSquare(const Source& source, const Point& goal, const PriorParams& params) {
+  if (source.sampled == nullptr) {
+    return makeFastMarchingSquare(ClearanceGrid(source.map, params.resolution), goal, params);
+  }
+  return makeFastMarchingSquare(*source.sampled, goal, params);
 }
 
-PriorPtr makeStraightLine(const StaticMap&, const Point& goal, const PriorParams&) {
+PriorPtr makeRoadmap(const Source& source, const Point& goal, const PriorParams& params) {
+  return std::make_shared<RoadmapPrior>(source.map, goal, params);
+}
+
+PriorPtr makeStraightLine(const Source&, const Point& goal, const PriorParams&) {
   return std::make_shared<StraightLinePrior>(goal);
 }
 
 struct Entry {
   const char* name;
-  PriorPtr (*make)(const StaticMap& map, const Point& goal, const PriorParams& params);
+  PriorPtr (*make)(const Source& source, const Point& goal, const PriorParams& params);
 };
 
 // A new prior is one more line here.
 constexpr Entry kPriors[] = {
     {"fast_marching", makeFastMarching},
-    {"fast_marching_square", makeFastMarchingSquare},
+    {"fast_marching_square", makeSquare},
     {"roadmap", makeRoadmap},
     {"straight_line", makeStraightLine},
 };
@@ -49,6 +65,19 @@ void requireFreeGoal(const StaticMap& map, const Point& goal) {
       fmt::format("goal ({}, {}) is inside an obstacle", goal.x(), goal.y()));
 }
 
+PriorPtr makeNamed(const std::string& name, const Source& source, const Point& goal,
+                   const PriorParams& params) {
+  std::string known;
+  for (const Entry& entry : kPriors) {
+    if (name == entry.name) {
+      requireFreeGoal(source.map, goal);
+      return entry.make(source, goal, params);
+    }
+    known += (known.empty() ? "" : ", ") + std::string(entry.name);
+  }
+  throw std::invalid_argument(fmt::format("unknown prior \"{}\", known are: {}", name, known));
+}
+
 }  // namespace
 
 std::vector<std::string> priorNames() {
@@ -59,15 +88,13 @@ std::vector<std::string> priorNames() {
 
 std::shared_ptr<const RolloutPrior> makePrior(const std::string& name, const StaticMap& map,
                                               const Point& goal, const PriorParams& params) {
-  std::string known;
-  for (const Entry& entry : kPriors) {
-    if (name == entry.name) {
-      requireFreeGoal(map, goal);
-      return entry.make(map, goal, params);
-    }
-    known += (known.empty() ? "" : ", ") + std::string(entry.name);
-  }
-  throw std::invalid_argument(fmt::format("unknown prior \"{}\", known are: {}", name, known));
+  return makeNamed(name, {map}, goal, params);
+}
+
+std::shared_ptr<const RolloutPrior> makePrior(const std::string& name,
+                                              const ClearanceGrid& clearances, const Point& goal,
+                                              const PriorParams& params) {
+  return makeNamed(name, {clearances.map, &clearances}, goal, params);
 }
 
 }  // namespace pomdp_crowd_nav

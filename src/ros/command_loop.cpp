@@ -1,31 +1,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pomdp_crowd_nav/ros/command_loop.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 namespace pomdp_crowd_nav {
 namespace {
 
-constexpr double kRestSpeed = 0.03;     // [m/s]
-constexpr double kRestYawRate = 0.05;   // [rad/s]
 constexpr double kRestTime = 0.2;       // [s] of odometry at rest
 constexpr double kPatience = 5.0;       // [s] for the base to stop before the trip is reported
 constexpr double kTurnPatience = 15.0;  // [s] for the turn at the goal
+constexpr double kOvershoot = 0.05;     // [m] beyond the tolerance that is let pass
+constexpr int kMostApproaches = 3;      // of a base that comes to rest beyond it
+
+VehicleState stateOf(const RobotReading& robot) {
+  return {robot.pose.position, std::atan2(robot.velocity.y(), robot.velocity.x()),
+          robot.velocity.norm()};
+}
 
 }  // namespace
 
 CommandLoop::CommandLoop(const PlannerNodeParams& params)
-    : goal_tolerance_(params.navigation.planning.model.goal_tolerance),
+    : limits_(inputLimits(params)),
+      goal_tolerance_(params.navigation.planning.model.goal_tolerance),
       yaw_tolerance_(params.navigation.yaw_goal_tolerance),
       yaw_gain_(params.navigation.command.yaw_gain),
+      stopped_speed_(params.navigation.trans_stopped_vel),
+      stopped_yaw_rate_(params.navigation.rot_stopped_vel),
       period_(1.0 / params.navigation.controller_frequency),
       vehicle_(params.navigation.planning.model.vehicle),
-      emergency_(params.navigation.emergency, vehicle_, params.navigation.planning.model.step) {
-  limits_.odometry = params.navigation.odom_timeout;
-  limits_.people = params.navigation.people_timeout;
-  limits_.map = params.map_timeout;
-}
+      emergency_(params.navigation.emergency, vehicle_, params.navigation.planning.model.step),
+      obstacles_(vehicle_, params.navigation.emergency.reaction_time + period_) {}
 
 void CommandLoop::setParams(const NavigationParams& params) {
   emergency_ = EmergencyOverride(params.emergency, vehicle_, params.planning.model.step);
@@ -36,6 +43,8 @@ CommandLoop::Tick CommandLoop::tick(double now, Drive& drive) {
     last_yaw_rate_ = 0.0;
     watchInputs(now, drive);
     watchPeople(now, drive);
+    watchMap(now, drive);
+    watchProgress(now, drive);
     if (hasReachedGoal(drive)) endTrip(Outcome::kReached, "goal reached", now, drive);
   }
   Tick tick;
@@ -51,8 +60,7 @@ CommandLoop::Tick CommandLoop::tick(double now, Drive& drive) {
   const double yaw_error = yawError(drive);
   if (drive.paused && yaw_error != 0.0) drive.ending->since = now;  // a pause costs no patience
   if (isOver(now, drive, at_rest)) {
-    tick.finished = drive.ending;
-    drive.ending.reset();
+    finish(drive, at_rest, tick);
     last_yaw_rate_ = 0.0;
   } else if (isFresh(now, drive) && (at_rest || last_yaw_rate_ != 0.0)) {
     tick.command = turnInPlace(drive.paused ? 0.0 : yaw_error);
@@ -69,10 +77,8 @@ void CommandLoop::watchInputs(double now, Drive& drive) const {
 void CommandLoop::watchPeople(double now, Drive& drive) const {
   if (!drive.inputs.robot || drive.executor.isStopping(now)) return;
   const RobotReading& robot = *drive.inputs.robot;
-  const double speed = robot.velocity.norm();
-  if (speed < MotionExecutor::kRestSpeed) return;
-  const VehicleState vehicle{robot.pose.position,
-                             std::atan2(robot.velocity.y(), robot.velocity.x()), speed};
+  const VehicleState vehicle = stateOf(robot);
+  if (vehicle.speed < MotionExecutor::kRestSpeed) return;
   TrackList tracks = drive.inputs.tracks;
   CrowdBelief nobody;
   predictPeople(now - drive.inputs.tracks_at, nobody, tracks);
@@ -80,6 +86,26 @@ void CommandLoop::watchPeople(double now, Drive& drive) const {
   drive.executor.stop();
   drive.reflex_or_miss = StopCause::kEmergency;
   ++drive.counts.sudden_brakes;
+}
+
+// The planner minds the obstacles of its own map; those of a newer one are minded here until the
+// planner for that stands.
+void CommandLoop::watchMap(double now, Drive& drive) const {
+  const Inputs& inputs = drive.inputs;
+  const bool is_planned = !drive.planned_map || drive.planned_map == inputs.map;
+  if (is_planned || !inputs.map || !inputs.robot || drive.executor.isStopping(now)) return;
+  if (!obstacles_.mustBrake(stateOf(*inputs.robot), *inputs.map)) return;
+  drive.executor.stop();
+  drive.reflex_or_miss = StopCause::kObstacle;
+}
+
+void CommandLoop::watchProgress(double now, Drive& drive) const {
+  const StopCause cause = stopCause(drive, limits_, now);
+  const bool is_free = cause == StopCause::kNone || cause == StopCause::kNoDecision ||
+                       cause == StopCause::kEmergency || cause == StopCause::kObstacle;
+  if (!is_free) drive.progress.hold(now);
+  if (!drive.progress.isHopeless(now)) return;
+  endTrip(Outcome::kFailed, "blocked: " + whyBlocked(drive, cause, now), now, drive);
 }
 
 bool CommandLoop::hasReachedGoal(const Drive& drive) const {
@@ -93,8 +119,8 @@ bool CommandLoop::isFresh(double now, const Drive& drive) const {
 
 bool CommandLoop::isAtRest(double now, const Drive& drive) {
   const std::optional<RobotReading>& robot = drive.inputs.robot;
-  const bool still = isFresh(now, drive) && robot->velocity.norm() < kRestSpeed &&
-                     std::abs(robot->yaw_rate) < kRestYawRate;
+  const bool still = isFresh(now, drive) && robot->velocity.norm() < stopped_speed_ &&
+                     std::abs(robot->yaw_rate) < stopped_yaw_rate_;
   if (!still) rest_since_ = -1.0;
   if (still && rest_since_ < 0.0) rest_since_ = now;
   return still && now - rest_since_ >= kRestTime;
@@ -113,6 +139,24 @@ double CommandLoop::yawError(const Drive& drive) const {
   const double error =
       wrapAngle(drive.ending->goal.pose.heading - drive.inputs.robot->pose.heading);
   return std::abs(error) <= yaw_tolerance_ ? 0.0 : error;
+}
+
+// A base that rolled past the goal goes on with the trip.
+void CommandLoop::finish(Drive& drive, bool at_rest, Tick& tick) const {
+  Ending ending = *drive.ending;
+  drive.ending.reset();
+  tick.finished = ending;
+  if (ending.outcome != Outcome::kReached || !at_rest || !drive.inputs.robot) return;
+  const double distance = (drive.inputs.robot->pose.position - ending.goal.pose.position).norm();
+  if (distance <= goal_tolerance_ + kOvershoot) return;
+  if (++drive.approaches <= kMostApproaches) {
+    drive.goal = ending.goal;
+    drive.prepared = true;
+    tick.finished.reset();
+    return;
+  }
+  tick.finished->outcome = Outcome::kFailed;
+  tick.finished->text = fmt::format("failed: the base rests {:.2f} m from the goal", distance);
 }
 
 BaseCommand CommandLoop::turnInPlace(double yaw_error) {

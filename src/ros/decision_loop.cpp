@@ -5,10 +5,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <stdexcept>
-#include <tuple>
+#include <exception>
+#include <utility>
 
-#include "pomdp_crowd_nav/evaluation/reachability.h"
 #include "pomdp_crowd_nav/ros/steady_time.h"
 
 namespace pomdp_crowd_nav {
@@ -20,48 +19,27 @@ void nap(double duration) {
   std::this_thread::sleep_for(std::chrono::duration<double>(std::min(duration, kNap)));
 }
 
-InputLimits limitsOf(const PlannerNodeParams& params) {
-  InputLimits limits;
-  limits.odometry = params.navigation.odom_timeout;
-  limits.people = params.navigation.people_timeout;
-  limits.map = params.map_timeout;
-  return limits;
-}
-
-// The nearest person to a robot that does not move and is not going to.
-std::optional<std::int64_t> findBlocker(const Situation& situation, const TrackList& tracks,
-                                        const Decision& decision) {
-  const bool stands = situation.vehicle.speed <= 0.0 && decision.motion.end_velocity.norm() <= 0.0;
-  if (!stands || tracks.tracks.empty()) return std::nullopt;
-  const auto distance = [&](const Track& track) {
-    return (track.position - situation.vehicle.position).squaredNorm();
-  };
-  return std::min_element(tracks.tracks.begin(), tracks.tracks.end(),
-                          [&](const Track& a, const Track& b) { return distance(a) < distance(b); })
-      ->id;
-}
-
 void noteBlocker(const std::optional<std::int64_t>& blocker, double now, Drive& drive) {
   if (!blocker) {
     drive.blocker = Blocker();
     return;
   }
-  if (drive.blocker.id < 0) drive.blocker.since = now;
+  if (drive.blocker.id != *blocker) drive.blocker.since = now;
   drive.blocker.id = *blocker;
 }
 
 }  // namespace
 
 DecisionLoop::DecisionLoop(const PlannerNodeParams& params, Guarded<Drive>& drive,
-                           Callbacks callbacks)
-    : params_(params),
-      limits_(limitsOf(params)),
+                           MapWork& map_work, Callbacks callbacks)
+    : limits_(inputLimits(params)),
       drive_(drive),
       callbacks_(std::move(callbacks)),
-      emergency_(params.navigation.emergency, params.navigation.planning.model.vehicle,
-                 params.navigation.planning.model.step),
+      maker_(params.navigation),
+      obstacles_(params.navigation.planning.model.vehicle,
+                 params.navigation.emergency.reaction_time),
       schedule_(params.navigation.planning.model.step, params.navigation.search_time),
-      planner_(params.destinations),
+      builder_(params.destinations, drive, map_work, callbacks_.failed),
       thread_([this] { run(); }) {}
 
 DecisionLoop::~DecisionLoop() {
@@ -71,7 +49,8 @@ DecisionLoop::~DecisionLoop() {
 
 void DecisionLoop::run() {
   while (!stop_) {
-    prepare();
+    adoptParams();
+    adoptPlanner();
     const double now = steadySeconds();
     if (!mayDrive(now)) {
       is_driving_ = false;
@@ -86,74 +65,44 @@ void DecisionLoop::run() {
   }
 }
 
-// Builds the planner when the goal or the map is another one, and looks for a way.
-void DecisionLoop::prepare() {
-  const auto [goal, map, robot, params] = drive_.with([](Drive& drive) {
-    return std::make_tuple(drive.goal, drive.inputs.map, drive.inputs.robot, drive.params);
-  });
-  if (goal.number == 0 || !map || !robot) return;
-  if (goal.number == goal_.number && map == map_) return followParams(params, robot->pose);
-  goal_ = goal;
-  map_ = map;
-  drive_.with([](Drive& drive) { drive.prepared = false; });
-  try {
-    const double begin = steadySeconds();
-    adoptParams(params);
-    planner_.start(goal.pose.position, map, params);
-    const std::string no_way = whyNoWayFrom(robot->pose);
-    if (!no_way.empty()) return giveUp(no_way);
-    ROS_INFO("planner %s is ready after %.2f s", params->planner.c_str(), steadySeconds() - begin);
-  } catch (const std::exception& error) {
-    return giveUp(error.what());
-  }
-  drive_.with([&](Drive& drive) { drive.prepared = drive.goal.number == goal.number; });
-  is_driving_ = false;
-}
-
-// What may change on a trip. The base goes on with the planner that stands.
-void DecisionLoop::followParams(const TripPlanner::Params& params, const Pose& robot) {
-  if (!planner_.isReady()) return;
-  try {
-    if (params != navigation_) adoptParams(params);
-    if (!planner_.follow(params)) return;
-    const std::string no_way = whyNoWayFrom(robot);
-    if (!no_way.empty()) return giveUp(no_way);
-    ROS_INFO("planner %s goes on with the new parameters", planner_.params().planner.c_str());
-  } catch (const std::exception& error) {
-    giveUp(error.what());
-  }
-}
-
-void DecisionLoop::adoptParams(const TripPlanner::Params& params) {
-  const ModelParams& model = params->planning.model;
-  emergency_ = EmergencyOverride(params->emergency, model.vehicle, model.step);
+// The override and the schedule follow changed parameters at once, the planner when it is made.
+void DecisionLoop::adoptParams() {
+  const auto params = drive_.with([](Drive& drive) { return drive.params; });
+  if (params == params_) return;
+  maker_ = DecisionMaker(*params);
   schedule_.setSearchTime(params->search_time);
-  navigation_ = params;
+  params_ = params;
 }
 
-std::string DecisionLoop::whyNoWayFrom(const Pose& robot) const {
-  return whyNoWay(planner_.planner().globalPath(robot.position), goal_.pose.position, *map_,
-                  planner_.params());
+void DecisionLoop::adoptPlanner() {
+  std::optional<ReadyPlanner> ready = builder_.take();
+  if (!ready) return;
+  present_ = std::move(*ready);
+  drive_.with([&](Drive& drive) {
+    if (!drive.hasGoal() || present_.goal.number < drive.first_goal) return;
+    drive.prepared = true;
+    drive.planned_map = present_.map;
+    drive.progress.takeAnotherWay();
+  });
 }
 
 void DecisionLoop::giveUp(const std::string& reason) {
   ROS_WARN("goal given up: %s", reason.c_str());
-  callbacks_.failed(goal_, reason);
+  drive_.with([](Drive& drive) { drive.prepared = false; });
+  callbacks_.failed(present_.goal, "failed: " + reason);
 }
 
 bool DecisionLoop::mayDrive(double now) {
   return drive_.with([&](Drive& drive) {
-    return drive.goal.number == goal_.number && drive.prepared && !drive.paused &&
+    return drive.hasGoal() && drive.prepared && !drive.paused &&
            missingInput(drive.inputs, limits_, now) == StopCause::kNone;
   });
 }
 
 void DecisionLoop::countLeftOut(const DecisionSlot& slot) {
   if (slot.left_out == 0) return;
-  drive_.with([&](Drive& drive) {
-    if (drive.goal.number != goal_.number) return;
-    drive.counts.deadline_misses += static_cast<unsigned>(slot.left_out);
-  });
+  drive_.with(
+      [&](Drive& drive) { drive.counts.deadline_misses += static_cast<unsigned>(slot.left_out); });
 }
 
 // False when the trip was stopped meanwhile.
@@ -167,7 +116,7 @@ bool DecisionLoop::sleepUntil(double time) {
   return false;
 }
 
-std::optional<DecisionLoop::Snapshot> DecisionLoop::snapshotFor(double effect) const {
+std::optional<Snapshot> DecisionLoop::snapshotFor(double effect) const {
   Snapshot snapshot;
   double tracks_at = 0.0;
   const bool is_complete = drive_.with([&](Drive& drive) {
@@ -189,46 +138,50 @@ void DecisionLoop::decide(const DecisionSlot& slot) {
   const std::optional<Snapshot> snapshot = snapshotFor(slot.effect);
   if (!snapshot) return;
   try {
-    const Decision decision = think(*snapshot, slot);
-    handOver(*snapshot, decision, slot.effect);
-    callbacks_.decided({goal_, snapshot->situation, snapshot->robot, decision}, planner_.planner());
+    const SearchLimit limit = SearchLimit::until(toSteadyTime(slot.deadline));
+    const Verdict verdict = maker_.decide(*snapshot, limit, *present_.planner);
+    handOver(*snapshot, verdict, slot.effect);
+    callbacks_.decided({present_.goal, snapshot->situation, snapshot->robot, verdict.decision},
+                       *present_.planner);
   } catch (const std::exception& error) {
     giveUp(error.what());
   }
 }
 
-Decision DecisionLoop::think(const Snapshot& snapshot, const DecisionSlot& slot) {
-  Decision decision = planner_.planner().decide(snapshot.situation,
-                                                SearchLimit::until(toSteadyTime(slot.deadline)));
-  const VehicleState& vehicle = snapshot.situation.vehicle;
-  if (const auto action = emergency_.replace(vehicle, snapshot.tracks)) {
-    emergency_.apply(*action, vehicle, decision);
-  }
-  return decision;
-}
-
-void DecisionLoop::handOver(const Snapshot& snapshot, const Decision& decision, double effect) {
+void DecisionLoop::handOver(const Snapshot& snapshot, const Verdict& verdict, double effect) {
+  const Decision& decision = verdict.decision;
   drive_.with([&](Drive& drive) {
     const double now = steadySeconds();
-    const bool is_late = now > effect;
     const bool was_stopped = drive.executor.stopCount() != snapshot.stop_count;
     const bool is_moving = snapshot.situation.vehicle.speed > 0.0;
-    if (drive.goal.number != goal_.number) return;
+    if (!drive.hasGoal() || !drive.prepared) return;
     ++drive.counts.decisions;
     drive.counts.bound_violations += static_cast<unsigned>(decision.search.bound_violations);
     drive.search = decision.search;
     drive.cycle_time = decision.wall_time;
     drive.action = describe(decision.action);
-    if (is_late) {
+    if (now > effect) {
       ++drive.counts.deadline_misses;
       drive.reflex_or_miss = StopCause::kNoDecision;
     } else if (!was_stopped) {
-      drive.executor.follow(decision.motion, effect);
-      drive.reflex_or_miss = StopCause::kNone;
       if (decision.action.sudden_brake && is_moving) ++drive.counts.sudden_brakes;
+      follow(decision.motion, effect, drive);
     }
-    noteBlocker(findBlocker(snapshot.situation, snapshot.tracks, decision), now, drive);
+    drive.progress.see(verdict.way, now);
+    noteBlocker(verdict.blocker, now, drive);
   });
+}
+
+// Unless it leads into an obstacle of a map that the planner does not know.
+void DecisionLoop::follow(const StepMotion& motion, double effect, Drive& drive) const {
+  const bool is_planned = drive.inputs.map == present_.map;
+  if (!is_planned && drive.inputs.map && obstacles_.hits(motion, *drive.inputs.map)) {
+    drive.executor.stop();
+    drive.reflex_or_miss = StopCause::kObstacle;
+    return;
+  }
+  drive.executor.follow(motion, effect);
+  drive.reflex_or_miss = StopCause::kNone;
 }
 
 }  // namespace pomdp_crowd_nav

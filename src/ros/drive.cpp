@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pomdp_crowd_nav/ros/drive.h"
 
+#include <fmt/format.h>
+
 namespace pomdp_crowd_nav {
 namespace {
 
@@ -33,7 +35,7 @@ void reportInputs(const Inputs& inputs, double now, PlannerStatus& status) {
   status.surplus_people = inputs.left_out.surplus;
 }
 
-std::uint8_t stateOf(const Drive& drive, StopCause cause) {
+std::uint8_t stateOf(const Drive& drive, StopCause cause, double now) {
   if (drive.ending) return PlannerStatus::STOPPING;
   if (!drive.hasGoal()) return drive.paused ? PlannerStatus::PAUSED : PlannerStatus::IDLE;
   switch (cause) {
@@ -44,6 +46,8 @@ std::uint8_t stateOf(const Drive& drive, StopCause cause) {
     case StopCause::kNone:
     case StopCause::kNoDecision:
     case StopCause::kEmergency:
+    case StopCause::kObstacle:
+      if (drive.progress.isBlocked(now)) return PlannerStatus::BLOCKED;
       return drive.blocker.id >= 0 ? PlannerStatus::WAITING_FOR_PEOPLE : PlannerStatus::DRIVING;
     default:
       return PlannerStatus::WAITING_FOR_INPUT;
@@ -51,13 +55,32 @@ std::uint8_t stateOf(const Drive& drive, StopCause cause) {
 }
 
 const char* nameOf(std::uint8_t state) {
-  constexpr const char* kNames[] = {"IDLE",    "PREPARING",          "WAITING_FOR_INPUT",
-                                    "DRIVING", "WAITING_FOR_PEOPLE", "PAUSED",
-                                    "STOPPING"};
+  constexpr const char* kNames[] = {
+      "IDLE",     "PREPARING", "WAITING_FOR_INPUT", "DRIVING", "WAITING_FOR_PEOPLE", "PAUSED",
+      "STOPPING", "BLOCKED"};
   return kNames[state];
 }
 
+// Empty while the robot drives.
+std::string describeState(const Drive& drive, std::uint8_t state, StopCause cause, double now) {
+  if (drive.ending) return drive.ending->text;
+  if (state == PlannerStatus::BLOCKED) return whyBlocked(drive, cause, now);
+  if (state == PlannerStatus::WAITING_FOR_PEOPLE && cause == StopCause::kNone) {
+    return fmt::format("person {} is in the way since {:.1f} s", drive.blocker.id,
+                       now - drive.blocker.since);
+  }
+  return explain(cause, drive.inputs);
+}
+
 }  // namespace
+
+InputLimits inputLimits(const PlannerNodeParams& params) {
+  InputLimits limits;
+  limits.odometry = params.navigation.odom_timeout;
+  limits.people = params.navigation.people_timeout;
+  limits.map = params.map_timeout;
+  return limits;
+}
 
 StopCause stopCause(const Drive& drive, const InputLimits& limits, double now) {
   if (!drive.hasGoal()) return StopCause::kNone;
@@ -69,12 +92,22 @@ StopCause stopCause(const Drive& drive, const InputLimits& limits, double now) {
   return drive.reflex_or_miss == StopCause::kNone ? StopCause::kNoDecision : drive.reflex_or_miss;
 }
 
+std::string whyBlocked(const Drive& drive, StopCause cause, double now) {
+  const std::string stalled =
+      fmt::format("no progress for {:.0f} s", drive.progress.stalledFor(now));
+  if (drive.blocker.id >= 0) {
+    return fmt::format("{}: person {} is in the way", stalled, drive.blocker.id);
+  }
+  if (cause != StopCause::kNone) return stalled + ": " + explain(cause, drive.inputs);
+  return stalled + ": no way on is found";
+}
+
 PlannerStatus toStatus(const Drive& drive, const InputLimits& limits, double now) {
   const StopCause cause = stopCause(drive, limits, now);
   PlannerStatus status;
-  status.state = stateOf(drive, cause);
+  status.state = stateOf(drive, cause, now);
   status.state_name = nameOf(status.state);
-  status.stop_cause = drive.ending ? drive.ending->text : explain(cause, drive.inputs);
+  status.stop_cause = describeState(drive, status.state, cause, now);
   reportInputs(drive.inputs, now, status);
   status.cycle_time = drive.cycle_time;
   status.trials = static_cast<std::uint32_t>(drive.search.trials);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -11,34 +12,104 @@
 namespace pomdp_crowd_nav {
 namespace {
 
-constexpr int kOccupied = 65;         // of 100, as map_server's default threshold
 constexpr double kTurnedGrid = 1e-3;  // [rad]
 constexpr double kDrawnWithin =
     0.5;                            // cells, an obstacle fills the cells whose centre is this near
 constexpr double kRounding = 0.01;  // cells, what a grid's single precision may make of that
 
+// A blocked grid as a message has it: with a pose in the global frame.
+struct PosedGrid {
+  const OccupancyGrid& cells;  // in the frame of its own origin
+  Pose origin;
+
+  Point toGlobal(const Point& local) const {
+    return origin.position + rotated(-origin.heading, local);
+  }
+  Point toLocal(const Point& global) const {
+    return rotated(origin.heading, Point(global - origin.position));
+  }
+};
+
+size_t cellAt(const OccupancyGrid& grid, const Point& place) {
+  const Point cells = (place - grid.origin) / grid.resolution;
+  const auto column = static_cast<size_t>(std::clamp<double>(cells.x(), 0.0, grid.columns - 1));
+  const auto row = static_cast<size_t>(std::clamp<double>(cells.y(), 0.0, grid.rows - 1));
+  return row * grid.columns + column;
+}
+
+Point centerOf(const OccupancyGrid& grid, size_t cell) {
+  const Point place(static_cast<double>(cell % grid.columns),
+                    static_cast<double>(cell / grid.columns));
+  return grid.origin + grid.resolution * (place + Point(0.5, 0.5));
+}
+
+// The rectangle of a frame's axes around a grid, all of it blocked.
+OccupancyGrid rectangleAround(const PosedGrid& grid) {
+  const Point size = grid.cells.resolution * Point(grid.cells.columns, grid.cells.rows);
+  OccupancyGrid around;
+  Point most = around.origin = grid.toGlobal(Point(0.0, 0.0));
+  for (const Point& corner : {Point(size.x(), 0.0), Point(0.0, size.y()), size}) {
+    around.origin = around.origin.cwiseMin(grid.toGlobal(corner));
+    most = most.cwiseMax(grid.toGlobal(corner));
+  }
+  around.resolution = grid.cells.resolution;
+  around.columns = static_cast<int>(std::ceil((most.x() - around.origin.x()) / around.resolution));
+  around.rows = static_cast<int>(std::ceil((most.y() - around.origin.y()) / around.resolution));
+  around.blocked.assign(static_cast<size_t>(around.columns) * around.rows, 1);
+  return around;
+}
+
+// By the nearest cell; then every blocked cell blocks the one that holds its centre, for a single
+// one may lie between the samples.
+OccupancyGrid straightened(const PosedGrid& grid) {
+  OccupancyGrid straight = rectangleAround(grid);
+  const Point size = grid.cells.resolution * Point(grid.cells.columns, grid.cells.rows);
+  for (size_t cell = 0; cell < straight.blocked.size(); ++cell) {
+    const Point local = grid.toLocal(centerOf(straight, cell));
+    const bool is_on = local.minCoeff() >= 0.0 && (size - local).minCoeff() >= 0.0;
+    if (is_on) straight.blocked[cell] = grid.cells.blocked[cellAt(grid.cells, local)];
+  }
+  for (size_t cell = 0; cell < grid.cells.blocked.size(); ++cell) {
+    if (grid.cells.blocked[cell] == 0) continue;
+    straight.blocked[cellAt(straight, grid.toGlobal(centerOf(grid.cells, cell)))] = 1;
+  }
+  return straight;
+}
+
 }  // namespace
 
-std::shared_ptr<const StaticMap> toStaticMap(const nav_msgs::OccupancyGrid& grid) {
+std::shared_ptr<const StaticMap> toStaticMap(const nav_msgs::OccupancyGrid& grid,
+                                             const MapPolicy& policy) {
   const std::optional<Pose> origin = toPose(grid.info.origin);
   const size_t cells = static_cast<size_t>(grid.info.width) * grid.info.height;
   if (cells == 0 || cells != grid.data.size()) {
     throw std::invalid_argument(fmt::format("map: {} x {} cells announced, {} sent",
                                             grid.info.width, grid.info.height, grid.data.size()));
   }
-  if (!origin || std::abs(origin->heading) > kTurnedGrid) {
-    throw std::invalid_argument("map: its origin must be finite and not turned");
+  if (!origin) {
+    throw std::invalid_argument("map: its origin must be finite and its orientation a rotation");
+  }
+  if (!(grid.info.resolution > 0.0F && std::isfinite(grid.info.resolution))) {
+    throw std::invalid_argument(
+        fmt::format("map: its resolution must be positive, got {}", grid.info.resolution));
   }
   OccupancyGrid blocked;
-  blocked.origin = origin->position;
   blocked.resolution = grid.info.resolution;
   blocked.columns = static_cast<int>(grid.info.width);
   blocked.rows = static_cast<int>(grid.info.height);
-  for (const int cell : grid.data) blocked.blocked.push_back(cell < 0 || cell >= kOccupied);
+  blocked.blocked.reserve(cells);
+  for (const std::int8_t cell : grid.data)
+    blocked.blocked.push_back(policy.isBlocked(cell) ? 1 : 0);
+  if (std::abs(origin->heading) > kTurnedGrid) {
+    blocked = straightened({blocked, *origin});
+  } else {
+    blocked.origin = origin->position;
+  }
+  const Point corner = blocked.origin;
   const Point size = blocked.resolution * Point(blocked.columns, blocked.rows);
   StaticMap::Obstacles obstacles;
   obstacles.grid = std::move(blocked);
-  return std::make_shared<const StaticMap>(Bounds{origin->position, Point(origin->position + size)},
+  return std::make_shared<const StaticMap>(Bounds{corner, Point(corner + size)},
                                            std::move(obstacles));
 }
 
@@ -61,7 +132,8 @@ nav_msgs::OccupancyGrid toMessage(const StaticMap& map, double resolution,
   return message;
 }
 
-bool isDrawingOf(const StaticMap& map, const nav_msgs::OccupancyGrid& grid) {
+bool isDrawingOf(const StaticMap& map, const nav_msgs::OccupancyGrid& grid,
+                 const MapPolicy& policy) {
   const double resolution = grid.info.resolution;
   const Point origin(grid.info.origin.position.x, grid.info.origin.position.y);
   const Point size = map.bounds().max - map.bounds().min;
@@ -73,7 +145,7 @@ bool isDrawingOf(const StaticMap& map, const nav_msgs::OccupancyGrid& grid) {
     const Point cell(static_cast<double>(i % grid.info.width) + 0.5,
                      static_cast<double>(i / grid.info.width) + 0.5);
     const double clearance = map.clearance(origin + resolution * cell) / resolution;
-    const bool is_blocked = grid.data[i] < 0 || grid.data[i] >= kOccupied;
+    const bool is_blocked = policy.isBlocked(grid.data[i]);
     if (is_blocked && clearance > kDrawnWithin + kRounding) return false;
     if (!is_blocked && clearance < kDrawnWithin - kRounding) return false;
   }

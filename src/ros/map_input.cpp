@@ -6,13 +6,12 @@
 #include <stdexcept>
 
 #include "pomdp_crowd_nav/ros/frame_source.h"
-#include "pomdp_crowd_nav/ros/map_conversions.h"
 #include "pomdp_crowd_nav/ros/steady_time.h"
 
 namespace pomdp_crowd_nav {
 
 MapInput::MapInput(ros::NodeHandle& node, const PlannerNodeParams& params, Guarded<Drive>& drive)
-    : global_frame_(params.frames.global), drive_(drive) {
+    : global_frame_(params.frames.global), policy_(params.map), drive_(drive) {
   const std::string topic = node.resolveName("map");
   drive_.with([&](Drive& shared) { shared.inputs.map_traffic.topic = topic; });
   if (!params.world_file.empty()) {
@@ -37,9 +36,9 @@ void MapInput::onMap(const nav_msgs::OccupancyGrid& grid) {
   }
   if (same) return drive_.with([](Drive& drive) { drive.inputs.map_at = steadySeconds(); });
   try {
-    const bool is_world = world_map_ && isDrawingOf(*world_map_, grid);
+    const bool is_world = world_map_ && isDrawingOf(*world_map_, grid, policy_);
     if (world_map_ && !is_world) ROS_INFO("the map on the topic is used, not the world file's");
-    useMap(is_world ? world_map_ : toStaticMap(grid));
+    useMap(is_world ? world_map_ : toStaticMap(grid, policy_));
     last_grid_ = grid;
   } catch (const std::exception& error) {
     ROS_ERROR("%s", error.what());

@@ -7,7 +7,6 @@
 #include <thread>
 
 #include "pomdp_crowd_nav/evaluation/reachability.h"
-#include "pomdp_crowd_nav/planner/planner_factory.h"
 #include "pomdp_crowd_nav/ros/markers.h"
 #include "pomdp_crowd_nav/ros/steady_time.h"
 
@@ -21,7 +20,8 @@ constexpr int kReportsPerWarning = 20;     // 10 s
 
 Drive makeDrive(const NavigationParams& params) {
   Drive drive(MotionExecutor(params.command, params.planning.model.vehicle,
-                             1.0 / params.controller_frequency));
+                             1.0 / params.controller_frequency),
+              ProgressWatch(params.progress));
   drive.params = std::make_shared<const NavigationParams>(params);
   return drive;
 }
@@ -32,6 +32,7 @@ NavigationServer::NavigationServer(ros::NodeHandle node, ros::NodeHandle private
                                    const PlannerNodeParams& params)
     : params_(params),
       drive_(makeDrive(params.navigation)),
+      map_work_(params.navigation.planning.prior.resolution),
       command_loop_(params),
       inputs_(node, params, drive_),
       display_(private_node, params.frames.global, params.destinations),
@@ -40,9 +41,10 @@ NavigationServer::NavigationServer(ros::NodeHandle node, ros::NodeHandle private
       goals_(node, {[this](const auto& goal, std::string& why) { return checkGoal(goal, why); },
                     [this](const Goal& goal) { startTrip(goal); }, [this] { cancelTrip(); }}),
       pause_(private_node.advertiseService("pause", &NavigationServer::onPause, this)),
-      make_plan_(private_node.advertiseService("make_plan", &NavigationServer::onMakePlan, this)),
+      make_plan_(private_node, params, drive_, map_work_,
+                 [this](const auto& goal, std::string& why) { return checkGoal(goal, why); }),
       decisions_(
-          params, drive_,
+          params, drive_, map_work_,
           {[this](const auto& report, const Planner& planner) { reportDecision(report, planner); },
            [this](const Goal& goal, const std::string& why) { failTrip(goal, why); }}),
       reconfiguration_(private_node, params.navigation,
@@ -94,8 +96,14 @@ void NavigationServer::startTrip(const Goal& goal) {
   const auto unfinished = drive_.with([&](Drive& drive) {
     const auto ending = drive.ending;
     drive.ending.reset();
+    // A newer goal of a robot that is driving is driven to without a stop.
+    if (!drive.hasGoal()) {
+      drive.prepared = false;
+      drive.first_goal = goal.number;
+    }
     drive.goal = goal;
-    drive.prepared = false;
+    drive.approaches = 0;
+    drive.progress.begin(steadySeconds());
     drive.blocker = Blocker();
     drive.counts = TripCounts();
     drive.search = SearchStatistics();
@@ -189,37 +197,6 @@ bool NavigationServer::onPause(PauseService::Request& request, PauseService::Res
   drive_.with([&](Drive& drive) { drive.paused = request.data; });
   response.success = true;
   response.message = request.data ? "paused" : "resumed";
-  return true;
-}
-
-bool NavigationServer::onMakePlan(nav_msgs::GetPlan::Request& request,
-                                  nav_msgs::GetPlan::Response& response) {
-  std::string reason;
-  const std::optional<Pose> start = checkGoal(request.start, reason);
-  const std::optional<Pose> goal = start ? checkGoal(request.goal, reason) : std::nullopt;
-  const auto [map, params] =
-      drive_.with([](Drive& drive) { return std::make_pair(drive.inputs.map, drive.params); });
-  if (!goal || !map) {
-    ROS_WARN("make_plan: %s", reason.empty() ? "no map yet" : reason.c_str());
-    return false;
-  }
-  try {
-    const auto planner = makePlanner(
-        params->planner, Task{*map, goal->position, params_.destinations}, params->planning);
-    const std::vector<Point> path = planner->globalPath(start->position);
-    reason = whyNoWay(path, goal->position, *map, *params);
-    if (!reason.empty()) {
-      ROS_WARN("make_plan: %s", reason.c_str());
-      return false;
-    }
-    std_msgs::Header header;
-    header.frame_id = params_.frames.global;
-    header.stamp = ros::Time::now();
-    response.plan = toMessage(path, header);
-  } catch (const std::exception& error) {
-    ROS_WARN("make_plan: %s", error.what());
-    return false;
-  }
   return true;
 }
 

@@ -24,6 +24,17 @@ std::uint64_t readSeed(ParamReader& reader, std::uint64_t preset) {
   throw std::invalid_argument(fmt::format("seed must not be negative, got {}", seed));
 }
 
+void requireMapPolicy(const std::string& unknown, int occupied_threshold) {
+  if (unknown != "obstacle" && unknown != "free") {
+    throw std::invalid_argument(
+        fmt::format("map/unknown must be 'obstacle' or 'free', got '{}'", unknown));
+  }
+  if (occupied_threshold < 1 || occupied_threshold > 100) {
+    throw std::invalid_argument(fmt::format(
+        "map/occupied_threshold must be between 1 and 100, got {}", occupied_threshold));
+  }
+}
+
 // Keys of the libraries that live in the same namespace, and are theirs to read.
 void acceptLibraryKeys(ParamReader& reader) {
   double ignored = 0.0;
@@ -40,6 +51,9 @@ PlannerNodeParams loadPlannerNodeParams(ParamReader& reader) {
   params.frames = readFrames(reader);
   reader.read("world_file", params.world_file);
   reader.read("map_timeout", params.map_timeout);
+  std::string unknown = "obstacle";
+  reader.read("map/unknown", unknown);
+  reader.read("map/occupied_threshold", params.map.occupied_threshold);
   params.navigation.planning.seed = readSeed(reader, params.navigation.planning.seed);
   const bool has_destinations = reader.read("destinations", params.destinations);
   acceptLibraryKeys(reader);
@@ -48,6 +62,8 @@ PlannerNodeParams loadPlannerNodeParams(ParamReader& reader) {
     throw std::invalid_argument(
         fmt::format("map_timeout must not be negative, got {}", params.map_timeout));
   }
+  requireMapPolicy(unknown, params.map.occupied_threshold);
+  if (unknown == "free") params.map.unknown = UnknownSpace::kFree;
   if (!has_destinations && !params.world_file.empty()) {
     params.destinations = loadWorld(params.world_file).destinations;
   }

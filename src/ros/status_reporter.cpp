@@ -61,8 +61,10 @@ PlannerStatus StatusReporter::newest() {
 void StatusReporter::diagnoseState(DiagnosticStatusWrapper& out) {
   const PlannerStatus status = newest();
   const bool lacks_input = status.state == PlannerStatus::WAITING_FOR_INPUT;
+  const bool is_blocked = status.state == PlannerStatus::BLOCKED;
+  const auto level = is_blocked ? DiagnosticStatus::WARN : DiagnosticStatus::OK;
   out.summary(
-      lacks_input ? DiagnosticStatus::ERROR : DiagnosticStatus::OK,
+      lacks_input ? DiagnosticStatus::ERROR : level,
       status.stop_cause.empty() ? status.state_name : status.state_name + ": " + status.stop_cause);
   out.add("people", status.people);
   out.add("tracks left out, position not finite or out of range", status.bad_people);

@@ -33,6 +33,8 @@ const char* describe(StopCause cause) {
       return "no decision in time";
     case StopCause::kEmergency:
       return "emergency brake, a person is too close";
+    case StopCause::kObstacle:
+      return "an obstacle of the new map is in the way";
     case StopCause::kPaused:
       return "paused";
   }

@@ -85,18 +85,21 @@ std::vector<float> distanceToBlocked(const OccupancyGrid& grid) {
 }  // namespace
 
 StaticMap::StaticMap(const Bounds& bounds, Obstacles obstacles)
-    : bounds_(bounds), obstacles_(std::move(obstacles)) {
+    : bounds_(bounds), obstacles_(std::make_shared<const Obstacles>(std::move(obstacles))) {
   validate(bounds_);
-  const std::vector<Circle>& circles = obstacles_.circles;
-  const std::vector<Polygon>& polygons = obstacles_.polygons;
+  const std::vector<Circle>& circles = obstacles_->circles;
+  const std::vector<Polygon>& polygons = obstacles_->polygons;
   for (size_t i = 0; i < circles.size(); ++i) validate(circles[i], i);
   for (size_t i = 0; i < polygons.size(); ++i) validate(polygons[i], i);
   index_ = std::make_shared<const ObstacleIndex>(bounds_, circles, polygons);
-  if (obstacles_.grid) {
-    validate(*obstacles_.grid);
-    grid_distance_ = distanceToBlocked(*obstacles_.grid);
+  if (obstacles_->grid) {
+    validate(*obstacles_->grid);
+    std::vector<float> distance = distanceToBlocked(*obstacles_->grid);
+    if (!distance.empty()) {
+      grid_distance_ = std::make_shared<const std::vector<float>>(std::move(distance));
+    }
   }
-  has_obstacles_ = !circles.empty() || !polygons.empty() || !grid_distance_.empty();
+  has_obstacles_ = !circles.empty() || !polygons.empty() || grid_distance_ != nullptr;
 }
 
 double StaticMap::clearance(const Point& point) const {
@@ -106,14 +109,14 @@ double StaticMap::clearance(const Point& point) const {
 // Off the grid: the nearest point of the rectangle of cell centres is never at less than a right
 // angle from any blocked centre, so the two legs give a distance that is never too large.
 double StaticMap::gridClearance(const Point& point) const {
-  if (grid_distance_.empty()) return std::numeric_limits<double>::infinity();
-  const OccupancyGrid& grid = *obstacles_.grid;
+  if (!grid_distance_) return std::numeric_limits<double>::infinity();
+  const OccupancyGrid& grid = *obstacles_->grid;
   const double half_cell = 0.5 * grid.resolution;
   const Eigen::Array2d size(grid.columns, grid.rows);
   const Eigen::Array2d place = (point - grid.origin).array() / grid.resolution;  // [cells]
   const Eigen::Array2d cell = place.floor().max(0.0).min(size - 1.0);
-  const double distance =
-      grid_distance_[static_cast<size_t>(cell.y()) * grid.columns + static_cast<size_t>(cell.x())];
+  const double distance = (*grid_distance_)[static_cast<size_t>(cell.y()) * grid.columns +
+                                            static_cast<size_t>(cell.x())];
   if ((place >= 0.0).all() && (place <= size).all()) return distance;
 
   const Eigen::Array2d edge = place.max(0.5).min(size - 0.5);

@@ -53,8 +53,10 @@ Way follow(const RolloutPrior& prior, const StaticMap& map, Point place) {
   return way;
 }
 
+ClearanceGrid sampled(const StaticMap& map) { return {map, testParams().resolution}; }
+
 TEST(FastMarchingSquare, TheFrontIsFasterFartherFromObstacles) {
-  const SpeedMap map = makeSquareSpeedMap(discMap(), kGoal, testParams());
+  const SpeedMap map = makeSquareSpeedMap(sampled(discMap()), kGoal, testParams());
   const double cell = testParams().resolution;
   EXPECT_NEAR(speedAt(map, {30.0, 27.0}), 3.0 / 8.0, cell / 8.0);  // 3 m off
   EXPECT_NEAR(speedAt(map, {30.0, 30.0}), 6.0 / 8.0, cell / 8.0);
@@ -66,7 +68,8 @@ TEST(FastMarchingSquare, TheFrontIsFasterFartherFromObstacles) {
 TEST(FastMarchingSquare, PathsSwingWiderAndBendLess) {
   const StaticMap map = discMap();
   const Way shortest = follow(FastMarchingPrior(map, kGoal, testParams()), map, {5.0, 20.5});
-  const Way square = follow(*makeFastMarchingSquare(map, kGoal, testParams()), map, {5.0, 20.5});
+  const Way square =
+      follow(*makeFastMarchingSquare(sampled(map), kGoal, testParams()), map, {5.0, 20.5});
   EXPECT_LT(shortest.least_clearance, 2.8);
   EXPECT_GT(square.least_clearance, shortest.least_clearance + 2.0);
   EXPECT_LT(square.sharpest_bend, shortest.sharpest_bend);
@@ -75,7 +78,7 @@ TEST(FastMarchingSquare, PathsSwingWiderAndBendLess) {
 TEST(FastMarchingSquare, IsFastMarchingOnAnEmptyMap) {
   const StaticMap map({{0.0, 0.0}, {60.0, 40.0}}, {});
   const FastMarchingPrior shortest(map, kGoal, testParams());
-  const auto square = makeFastMarchingSquare(map, kGoal, testParams());
+  const auto square = makeFastMarchingSquare(sampled(map), kGoal, testParams());
   for (double x = 1.0; x < 60.0; x += 7.0) {
     for (double y = 1.0; y < 40.0; y += 6.5) {
       EXPECT_EQ(square->directionAt({{x, y}, 0.0}), shortest.directionAt({{x, y}, 0.0}));
@@ -87,7 +90,7 @@ TEST(FastMarchingSquare, RejectsASaturationDistanceThatIsNotPositive) {
   PriorParams params = testParams();
   for (const double bad : {0.0, -1.0, std::nan("")}) {
     params.saturation_distance = bad;
-    EXPECT_THROW(makeFastMarchingSquare(discMap(), kGoal, params), std::invalid_argument);
+    EXPECT_THROW(makeFastMarchingSquare(sampled(discMap()), kGoal, params), std::invalid_argument);
   }
 }
 

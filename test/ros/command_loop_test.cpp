@@ -145,6 +145,94 @@ TEST_F(CommandLoopTest, ReachedGoalIsReportedAtRestAndThenNobodyCommandsTheBase)
   EXPECT_FALSE(last.command);
 }
 
+TEST_F(CommandLoopTest, ObstacleOfANewMapIsBrakedFor) {
+  cruise();
+  drive_.planned_map = drive_.inputs.map;
+  run(0.5);
+  EXPECT_GT(speed(), 0.7);
+  StaticMap::Obstacles obstacles;
+  const double ahead = drive_.inputs.robot->pose.position.x() + 1.8;
+  obstacles.circles.push_back({Point(ahead + 1.0, 0.0), 1.0});
+  drive_.inputs.map =
+      std::make_shared<const StaticMap>(Bounds{Point(-50.0, -50.0), Point(50.0, 50.0)}, obstacles);
+  run(3.0);
+  EXPECT_EQ(speed(), 0.0);
+  EXPECT_EQ(stopCause(drive_, loop_.limits(), now_), StopCause::kObstacle);
+  EXPECT_GE(drive_.inputs.map->clearance(drive_.inputs.robot->pose.position), 0.5);
+}
+
+TEST_F(CommandLoopTest, BaseThatRollsPastTheGoalGoesBackToIt) {
+  cruise();
+  drive_.inputs.robot->pose.position = Point(19.9, 0.0);
+  run(0.1);
+  ASSERT_FALSE(drive_.hasGoal());
+  drive_.inputs.robot->pose.position = Point(20.8, 0.0);
+  run(1.5);
+  EXPECT_FALSE(finished_);
+  EXPECT_TRUE(drive_.hasGoal()) << "the trip goes on";
+  EXPECT_TRUE(drive_.prepared);
+  drive_.inputs.robot->pose.position = Point(20.2, 0.0);
+  run(1.0);
+  ASSERT_TRUE(finished_);
+  EXPECT_EQ(finished_->outcome, Outcome::kReached);
+}
+
+TEST_F(CommandLoopTest, BaseThatNeverRestsAtTheGoalFails) {
+  for (int i = 0; i < 10 && !finished_; ++i) {
+    drive_.inputs.robot->pose.position = Point(19.9, 0.0);
+    drive_.inputs.robot->velocity = Point(0.5, 0.0);
+    run(0.1);
+    drive_.inputs.robot->pose.position = Point(20.8, 0.0);
+    run(1.0);
+  }
+  ASSERT_TRUE(finished_);
+  EXPECT_EQ(finished_->outcome, Outcome::kFailed);
+  EXPECT_EQ(finished_->text, "failed: the base rests 0.80 m from the goal");
+}
+
+class Stalled : public CommandLoopTest {
+ protected:
+  Stalled() {
+    drive_.progress = ProgressWatch({0.5, 5.0, 12.0});
+    drive_.progress.begin(now_);
+    drive_.progress.see(20.0, now_);
+    StepMotion rest;
+    rest.duration = 60.0;
+    drive_.executor.follow(rest, now_);
+  }
+};
+
+TEST_F(Stalled, IsBlockedAfterAWhileAndGivenUpAfterLonger) {
+  run(4.0);
+  EXPECT_EQ(toStatus(drive_, loop_.limits(), now_).state, PlannerStatus::DRIVING);
+  run(2.0);
+  drive_.blocker = {17, now_ - 3.0};
+  const PlannerStatus status = toStatus(drive_, loop_.limits(), now_);
+  EXPECT_EQ(status.state, PlannerStatus::BLOCKED);
+  EXPECT_EQ(status.state_name, "BLOCKED");
+  EXPECT_EQ(status.stop_cause, "no progress for 6 s: person 17 is in the way");
+  EXPECT_FALSE(finished_);
+  run(8.0);
+  ASSERT_TRUE(finished_);
+  EXPECT_EQ(finished_->outcome, Outcome::kFailed);
+  EXPECT_EQ(finished_->text, "blocked: no progress for 12 s: person 17 is in the way");
+}
+
+TEST_F(Stalled, WaitingForAPersonIsNamedWithItsTime) {
+  drive_.blocker = {17, now_};
+  run(2.0);
+  const PlannerStatus status = toStatus(drive_, loop_.limits(), now_);
+  EXPECT_EQ(status.state, PlannerStatus::WAITING_FOR_PEOPLE);
+  EXPECT_EQ(status.stop_cause, "person 17 is in the way since 2.0 s");
+}
+
+TEST_F(Stalled, PauseIsNoWantOfProgress) {
+  drive_.paused = true;
+  run(30.0);
+  EXPECT_FALSE(finished_);
+  EXPECT_EQ(toStatus(drive_, loop_.limits(), now_).state, PlannerStatus::PAUSED);
+}
+
 TEST_F(CommandLoopTest, CancelWithoutOdometryIsReportedButZerosGoOn) {
   cruise();
   is_silent_ = true;

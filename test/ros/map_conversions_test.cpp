@@ -28,12 +28,59 @@ TEST(Maps, OccupiedAndUnknownCellsAreBlocked) {
   EXPECT_GT(map->clearance(Point(-0.75, 0.25)), 0.5);
 }
 
-TEST(Maps, OfAnotherSizeOrTurnedAreRefused) {
+TEST(Maps, UnknownSpaceAndThresholdAreAChoice) {
+  nav_msgs::OccupancyGrid grid = smallGrid();
+  grid.data = {0, 50, 64, 65, 0, 0, 101, -1};
+  const Point fifty(-0.25, 0.25), sixty_five(0.75, 0.25), odd(0.25, 0.75), unknown(0.75, 0.75);
+  const auto standard = toStaticMap(grid);
+  EXPECT_GT(standard->clearance(fifty), 0.0);
+  EXPECT_LE(standard->clearance(sixty_five), 0.0);
+  EXPECT_LE(standard->clearance(odd), 0.0) << "no value of an occupancy grid";
+  MapPolicy policy;
+  policy.unknown = UnknownSpace::kFree;
+  EXPECT_GT(toStaticMap(grid, policy)->clearance(unknown), 0.0);
+  EXPECT_LE(toStaticMap(grid, policy)->clearance(sixty_five), 0.0);
+  policy.occupied_threshold = 50;
+  EXPECT_LE(toStaticMap(grid, policy)->clearance(fifty), 0.0);
+}
+
+// Whatever is blocked in a turned grid is blocked at the same place in its frame.
+TEST(Maps, TurnedGridKeepsItsObstaclesWhereTheyAre) {
+  nav_msgs::OccupancyGrid grid;
+  grid.info.resolution = 0.5F;
+  grid.info.width = 40;
+  grid.info.height = 30;
+  grid.data.assign(1200, 0);
+  const std::vector<size_t> obstacles = {5 * 40 + 7, 20 * 40 + 33, 12 * 40 + 20, 12 * 40 + 21};
+  for (const size_t cell : obstacles) grid.data[cell] = 100;
+  for (const double turn : {0.3, -1.2, 2.5, M_PI_2}) {
+    const Pose origin{Point(-3.0, 4.0), turn};
+    grid.info.origin = toMessage(origin);
+    const auto map = toStaticMap(grid);
+    const auto place = [&](double column, double row) {
+      return transformed(origin, Pose{0.5 * Point(column + 0.5, row + 0.5), 0.0}).position;
+    };
+    for (const size_t cell : obstacles) {
+      const auto column = static_cast<double>(cell % 40), row = static_cast<double>(cell / 40);
+      EXPECT_LE(map->clearance(place(column, row)), 0.0) << turn << " " << cell;
+    }
+    EXPECT_GT(map->clearance(place(14.0, 20.0)), 1.5) << turn;
+    EXPECT_TRUE(map->bounds().contains(place(0.0, 0.0)));
+    EXPECT_TRUE(map->bounds().contains(place(39.0, 29.0)));
+    EXPECT_LE(map->clearance(map->bounds().min + Point(0.1, 0.1)), turn == M_PI_2 ? 1e9 : 0.0)
+        << "the corners of the rectangle around it are not on the map";
+  }
+}
+
+TEST(Maps, OfAnotherSizeAreRefused) {
   nav_msgs::OccupancyGrid grid = smallGrid();
   grid.data.pop_back();
   EXPECT_THROW(toStaticMap(grid), std::invalid_argument);
   grid = smallGrid();
-  grid.info.origin = toMessage(Pose{Point(0.0, 0.0), 0.5});
+  grid.info.origin.orientation.w = 0.0;
+  EXPECT_THROW(toStaticMap(grid), std::invalid_argument) << "no rotation";
+  grid = smallGrid();
+  grid.info.resolution = 0.0F;
   EXPECT_THROW(toStaticMap(grid), std::invalid_argument);
   EXPECT_THROW(toStaticMap(nav_msgs::OccupancyGrid()), std::invalid_argument);
 }

@@ -37,16 +37,25 @@ inline void expectRest(const Fault& fault, const std::function<bool()>& is_at_re
   recordFault(fault, "rest_s", took);
 }
 
-// Call while a fault that should stop nothing lasts: fails unless the base keeps moving for
-// `duration` [s] and commands come no more than the bound apart.
-inline void expectDriveOn(const Fault& fault, double duration) {
+// For a fault that should stop nothing: fails unless the base keeps moving while `injure` runs, and
+// commands come no more than the bound apart.
+inline CommandMeter::Reading expectDriveOn(const Fault& fault,
+                                           const std::function<void()>& injure) {
   CommandMeter meter;
-  NavigationClient::waitUntil(duration, [] { return false; });
+  const ros::WallTime begin = ros::WallTime::now();
+  injure();
+  const double duration = (ros::WallTime::now() - begin).toSec();
   const CommandMeter::Reading reading = meter.reading();
   EXPECT_GT(reading.commands, 10.0 * duration) << fault.name;
   EXPECT_GT(reading.least_speed, 0.0) << fault.name << ": the base came to rest";
   EXPECT_LE(reading.longest_period, fault.bound) << fault.name;
   recordFault(fault, "period_s", reading.longest_period);
+  return reading;
+}
+
+// The same for a fault that lasts already, over `duration` [s].
+inline void expectDriveOn(const Fault& fault, double duration) {
+  expectDriveOn(fault, [=] { NavigationClient::waitUntil(duration, [] { return false; }); });
 }
 
 }  // namespace pomdp_crowd_nav

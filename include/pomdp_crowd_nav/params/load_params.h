@@ -6,6 +6,7 @@
 #include "pomdp_crowd_nav/belief/belief_tracker.h"
 #include "pomdp_crowd_nav/control/command_generator.h"
 #include "pomdp_crowd_nav/control/emergency_override.h"
+#include "pomdp_crowd_nav/control/progress_watch.h"
 #include "pomdp_crowd_nav/control/velocity_guard.h"
 #include "pomdp_crowd_nav/params/param_reader.h"
 #include "pomdp_crowd_nav/planner/planner.h"
@@ -22,8 +23,11 @@ struct NavigationParams {
   EmergencyOverride::Params emergency;
   CommandGenerator::Params command;
   VelocityGuard::Params guard;
+  ProgressWatch::Params progress;
   double controller_frequency = 20.0;  // [Hz]
   double yaw_goal_tolerance = 3.15;    // [rad], above pi: any heading at the goal will do
+  double trans_stopped_vel = 0.03;     // [m/s], a slower base counts as at rest
+  double rot_stopped_vel = 0.05;       // [rad/s], the same of its yaw rate
   double odom_timeout = 0.5;           // [s], an older input stops the robot
   double people_timeout = 1.0;         // [s]
   double transform_tolerance = 0.2;    // [s]

@@ -21,6 +21,9 @@ class ExtendedSpacePlanner : public Planner {
   Decision decide(const Situation& situation, const SearchLimit& limit) override;
   TreeView viewTree(int max_edges) const override;
   std::vector<Point> globalPath(const Point& from) const override;
+  NavigationCell guidanceAt(const Point& place) const override {
+    return field_.at(static_cast<float>(place.x()), static_cast<float>(place.y()));
+  }
 
  private:
   StepMotion motionOf(const Action& action, const VehicleState& vehicle) const;

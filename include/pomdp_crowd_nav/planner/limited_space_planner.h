@@ -25,6 +25,9 @@ class LimitedSpacePlanner : public Planner {
   Decision decide(const Situation& situation, const SearchLimit& limit) override;
   TreeView viewTree(int max_edges) const override;
   std::vector<Point> globalPath(const Point& from) const override;
+  NavigationCell guidanceAt(const Point& place) const override {
+    return field_.at(static_cast<float>(place.x()), static_cast<float>(place.y()));
+  }
 
  private:
   void renewPath(const VehicleState& vehicle, const std::vector<PersonBelief>& people,

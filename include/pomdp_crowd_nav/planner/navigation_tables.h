@@ -7,6 +7,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "pomdp_crowd_nav/pomdp/model_params.h"
 #include "pomdp_crowd_nav/prior/navigation_field.h"
@@ -16,8 +17,11 @@ namespace pomdp_crowd_nav {
 
 // What an ES planner knows of a map and a goal before it meets anybody. Immutable, thread-safe.
 struct NavigationTables {
+  NavigationTables(std::shared_ptr<const RolloutPrior> prior_of_map, const ClearanceGrid& map,
+                   const ModelParams& model);
   NavigationTables(std::shared_ptr<const RolloutPrior> prior_of_map, const StaticMap& map,
-                   const ModelParams& model, double resolution);
+                   const ModelParams& model, double resolution)
+      : NavigationTables(std::move(prior_of_map), ClearanceGrid(map, resolution), model) {}
   NavigationTables(const NavigationTables&) = delete;  // shortest_way refers to field
   NavigationTables& operator=(const NavigationTables&) = delete;
 

@@ -10,6 +10,7 @@
 #include "pomdp_crowd_nav/path/hybrid_astar.h"
 #include "pomdp_crowd_nav/pomdp/action.h"
 #include "pomdp_crowd_nav/pomdp/model_params.h"
+#include "pomdp_crowd_nav/prior/navigation_field.h"
 #include "pomdp_crowd_nav/prior/prior_factory.h"
 
 namespace pomdp_crowd_nav {
@@ -87,6 +88,9 @@ class Planner {
   // Path to the goal if nobody were about; starts at `from`, ends at the goal or where no way on
   // is known.
   virtual std::vector<Point> globalPath(const Point& from) const = 0;
+
+  // The same in brief: direction and length of the way on from a place.
+  virtual NavigationCell guidanceAt(const Point& place) const = 0;
 };
 
 }  // namespace pomdp_crowd_nav

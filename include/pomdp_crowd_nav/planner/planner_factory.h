@@ -18,7 +18,13 @@ struct Task {
   std::vector<Point> destinations;  // [m], of people
   // Of all planners of this map and goal with these parameters; without it each makes its own.
   SharedTables* shared_tables = nullptr;
+  // Of this map at the prior's resolution, for planners of all goals; without it each makes its
+  // own.
+  std::shared_ptr<const ClearanceGrid> clearances = nullptr;
 };
+
+// Those of the task, or else made anew.
+std::shared_ptr<const ClearanceGrid> clearancesOf(const Task& task, const PriorParams& params);
 
 // Names that makePlanner knows.
 std::vector<std::string> plannerNames();

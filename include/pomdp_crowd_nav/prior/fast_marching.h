@@ -7,9 +7,10 @@ namespace pomdp_crowd_nav {
 
 // The marching itself: accept() the cells where the front starts, run(), read the result.
 //
-// The cells lie in flat arrays with a frame two cells wide around them, which is never entered,
-// so that no neighbour needs a test for the border. The queue of trial cells is a binary heap
-// that keeps outdated entries and drops them when they come up.
+// The cells lie in one flat array, all of a cell side by side for the cache, with a frame two cells
+// wide around them, which is never entered, so that no neighbour needs a test for the border. The
+// queue of trial cells is a binary heap that keeps outdated entries and drops them when they come
+// up.
 class FastMarching {
  public:
   // `speed` [m/s] row by row, positive; `resolution` [m] per cell.
@@ -21,10 +22,16 @@ class FastMarching {
   void run();
 
   // Row by row, without the frame.
-  std::vector<float> times() const { return withoutFrame(time_); }
-  std::vector<float> pathLengths() const { return withoutFrame(path_length_); }
+  std::vector<float> times() const { return withoutFrame(&Cell::time); }
+  std::vector<float> pathLengths() const { return withoutFrame(&Cell::path_length); }
 
  private:
+  struct Cell {
+    float crossing_time = 0.0F;  // [s], 0 in the frame
+    float time = 0.0F;           // [s], infinite until accepted
+    float trial_time = 0.0F;     // [s], best so far; 0 once accepted and in the frame
+    float path_length = 0.0F;    // [m]
+  };
   struct Trial {
     float time;
     int cell;
@@ -50,14 +57,11 @@ class FastMarching {
   Upwind upwind(int cell, int axis_step, bool second_order) const;
   Arrival arrival(int cell) const;
   static Arrival solve(const Upwind& x, const Upwind& y, double crossing_time, double resolution);
-  std::vector<float> withoutFrame(const std::vector<float>& values) const;
+  std::vector<float> withoutFrame(float Cell::*value) const;
 
   int columns_, rows_, stride_;
   double resolution_;
-  std::vector<float> crossing_time_;  // [s], of a cell; 0 in the frame
-  std::vector<float> time_;           // [s], infinite until accepted
-  std::vector<float> trial_time_;     // [s], best so far; 0 once accepted and in the frame
-  std::vector<float> path_length_;    // [m]
+  std::vector<Cell> cells_;
   std::vector<Trial> queue_;
 };
 

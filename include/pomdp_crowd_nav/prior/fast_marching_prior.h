@@ -2,6 +2,7 @@
 #pragma once
 
 #include "pomdp_crowd_nav/prior/arrival_time_field.h"
+#include "pomdp_crowd_nav/prior/clearance_grid.h"
 #include "pomdp_crowd_nav/prior/descent_directions.h"
 #include "pomdp_crowd_nav/prior/prior_factory.h"
 #include "pomdp_crowd_nav/prior/rollout_prior.h"
@@ -12,6 +13,7 @@ namespace pomdp_crowd_nav {
 // that inside an obstacle, so that the way out of one is a short one. Throws
 // std::invalid_argument naming the first parameter that is out of range.
 SpeedMap makeSpeedMap(const StaticMap& map, const PriorParams& params);
+SpeedMap makeSpeedMap(const ClearanceGrid& clearances, const PriorParams& params);
 
 // Shortest paths by Fast Marching: down the gradient of the time at which a front that starts at
 // the goal arrives (paper, section on Fast Marching). Knows every place of the grid that covers

@@ -11,11 +11,13 @@ namespace pomdp_crowd_nav {
 // grows in proportion to the distance from the nearest obstacle until it is 1 at
 // `saturation_distance`. Within 3 m of the goal it is that of the goal, so that the front starts
 // evenly. Throws std::invalid_argument naming the first parameter out of range.
-SpeedMap makeSquareSpeedMap(const StaticMap& map, const Point& goal, const PriorParams& params);
+SpeedMap makeSquareSpeedMap(const ClearanceGrid& clearances, const Point& goal,
+                            const PriorParams& params);
 
 // Fast Marching Square (Gomez, Lumbier, Garrido, Moreno 2013): the front is the faster the farther
 // it is from obstacles, so paths swing wide round them and bend gently.
-std::shared_ptr<const RolloutPrior> makeFastMarchingSquare(const StaticMap& map, const Point& goal,
+std::shared_ptr<const RolloutPrior> makeFastMarchingSquare(const ClearanceGrid& clearances,
+                                                           const Point& goal,
                                                            const PriorParams& params);
 
 }  // namespace pomdp_crowd_nav

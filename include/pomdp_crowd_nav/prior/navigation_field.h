@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "pomdp_crowd_nav/prior/clearance_grid.h"
 #include "pomdp_crowd_nav/prior/rollout_prior.h"
 #include "pomdp_crowd_nav/world/static_map.h"
 
@@ -29,7 +30,11 @@ PackedDirection packDirection(double x, double y);
 class NavigationField {
  public:
   // `resolution` [m] per cell; throws std::invalid_argument unless it is positive.
-  NavigationField(const RolloutPrior& prior, const StaticMap& map, double resolution);
+  NavigationField(const RolloutPrior& prior, const StaticMap& map, double resolution)
+      : NavigationField(prior, ClearanceGrid(map, resolution)) {}
+
+  // The prior must be of the same map.
+  NavigationField(const RolloutPrior& prior, const ClearanceGrid& clearances);
 
   // How a place finds its cell. Cells are numbered row by row.
   struct Raster {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "pomdp_crowd_nav/prior/clearance_grid.h"
 #include "pomdp_crowd_nav/prior/rollout_prior.h"
 #include "pomdp_crowd_nav/world/static_map.h"
 
@@ -37,5 +38,10 @@ std::vector<std::string> priorNames();
 // or a goal that is off the map, inside an obstacle or out of sight of the roadmap.
 std::shared_ptr<const RolloutPrior> makePrior(const std::string& name, const StaticMap& map,
                                               const Point& goal, const PriorParams& params);
+
+// The same with the map's share of the work done; `clearances` at the resolution of `params`.
+std::shared_ptr<const RolloutPrior> makePrior(const std::string& name,
+                                              const ClearanceGrid& clearances, const Point& goal,
+                                              const PriorParams& params);
 
 }  // namespace pomdp_crowd_nav

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "pomdp_crowd_nav/control/emergency_override.h"
+#include "pomdp_crowd_nav/control/obstacle_reflex.h"
 #include "pomdp_crowd_nav/ros/drive.h"
 
 namespace pomdp_crowd_nav {
@@ -30,6 +31,9 @@ class CommandLoop {
  private:
   void watchInputs(double now, Drive& drive) const;
   void watchPeople(double now, Drive& drive) const;
+  void watchMap(double now, Drive& drive) const;
+  void watchProgress(double now, Drive& drive) const;
+  void finish(Drive& drive, bool at_rest, Tick& tick) const;
   bool hasReachedGoal(const Drive& drive) const;
   bool isFresh(double now, const Drive& drive) const;
   bool isAtRest(double now, const Drive& drive);
@@ -38,12 +42,15 @@ class CommandLoop {
   BaseCommand turnInPlace(double yaw_error);
 
   InputLimits limits_;
-  double goal_tolerance_;  // [m]
-  double yaw_tolerance_;   // [rad]
-  double yaw_gain_;        // [1/s]
-  double period_;          // [s]
+  double goal_tolerance_;    // [m]
+  double yaw_tolerance_;     // [rad]
+  double yaw_gain_;          // [1/s]
+  double stopped_speed_;     // [m/s]
+  double stopped_yaw_rate_;  // [rad/s]
+  double period_;            // [s]
   VehicleParams vehicle_;
   EmergencyOverride emergency_;
+  ObstacleReflex obstacles_;
   bool resting_ = true;  // the base has been at rest since the last trip
   double rest_since_ = -1.0;
   double last_yaw_rate_ = 0.0;

@@ -48,22 +48,33 @@ struct Drive {
   Goal goal;  // number 0: none
   std::optional<Ending> ending;
   bool paused = false;
-  bool prepared = false;                        // the planner for the goal stands
-  StopCause reflex_or_miss = StopCause::kNone;  // why the base brakes until the next decision
+  bool prepared = false;  // a planner of this trip stands, of its newest goal and map or of others
+  long first_goal = 0;    // of the trip; those after it came while the robot was driving
+  int approaches = 0;     // times the base had to go back to the goal
+  std::shared_ptr<const StaticMap> planned_map;  // the planner's
+  StopCause reflex_or_miss = StopCause::kNone;   // why the base brakes until the next decision
   MotionExecutor executor;
   Blocker blocker;
+  ProgressWatch progress;
   TripCounts counts;
   SearchStatistics search;  // of the last decision
   double cycle_time = 0.0;  // [s], of the last decision
   std::string action;       // of the last decision
 
-  explicit Drive(const MotionExecutor& motion_executor) : executor(motion_executor) {}
+  explicit Drive(const MotionExecutor& motion_executor,
+                 const ProgressWatch& progress_watch = ProgressWatch())
+      : executor(motion_executor), progress(progress_watch) {}
 
   bool hasGoal() const { return goal.number != 0; }
 };
 
+InputLimits inputLimits(const PlannerNodeParams& params);
+
 // Why the base does not follow a decision at the moment.
 StopCause stopCause(const Drive& drive, const InputLimits& limits, double now);
+
+// Why there is no progress.
+std::string whyBlocked(const Drive& drive, StopCause cause, double now);
 
 // All but the header.
 PlannerStatus toStatus(const Drive& drive, const InputLimits& limits, double now);

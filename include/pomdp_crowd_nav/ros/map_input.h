@@ -6,6 +6,7 @@
 
 #include "pomdp_crowd_nav/ros/drive.h"
 #include "pomdp_crowd_nav/ros/guarded.h"
+#include "pomdp_crowd_nav/ros/map_conversions.h"
 
 namespace pomdp_crowd_nav {
 
@@ -23,6 +24,7 @@ class MapInput {
   void refuse(MessageFault fault);
 
   std::string global_frame_;
+  MapPolicy policy_;
   Guarded<Drive>& drive_;
   std::shared_ptr<const StaticMap> world_map_;  // the world file's, if there is one
   nav_msgs::OccupancyGrid last_grid_;

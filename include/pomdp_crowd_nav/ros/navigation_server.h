@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <nav_msgs/GetPlan.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 
@@ -12,6 +11,7 @@
 #include "pomdp_crowd_nav/ros/goal_server.h"
 #include "pomdp_crowd_nav/ros/input_listener.h"
 #include "pomdp_crowd_nav/ros/navigation_display.h"
+#include "pomdp_crowd_nav/ros/path_service.h"
 #include "pomdp_crowd_nav/ros/reconfiguration.h"
 #include "pomdp_crowd_nav/ros/status_reporter.h"
 
@@ -44,13 +44,13 @@ class NavigationServer {
   PlannerStatus publishStatus();
   void warnOfMissingInput(const PlannerStatus& status);
   bool onPause(PauseService::Request& request, PauseService::Response& response);
-  bool onMakePlan(nav_msgs::GetPlan::Request& request, nav_msgs::GetPlan::Response& response);
 
   ros::SteadyTimer startTimer(ros::NodeHandle& node, double period, ros::CallbackQueue* queue,
                               void (NavigationServer::*callback)());
 
   PlannerNodeParams params_;
   Guarded<Drive> drive_;
+  MapWork map_work_;
   CommandLoop command_loop_;
   std::atomic<bool> is_active_{false};  // commands are being published
   long reports_ = 0;
@@ -62,7 +62,8 @@ class NavigationServer {
   StatusReporter status_;
   ros::Publisher commands_;
   GoalServer goals_;
-  ros::ServiceServer pause_, make_plan_;
+  ros::ServiceServer pause_;
+  PathService make_plan_;
   DecisionLoop decisions_;
   Reconfiguration reconfiguration_;
 

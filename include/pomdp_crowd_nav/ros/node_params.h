@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "pomdp_crowd_nav/params/load_params.h"
+#include "pomdp_crowd_nav/ros/map_conversions.h"
 #include "pomdp_crowd_nav/sim/world_file.h"
 
 namespace pomdp_crowd_nav {
@@ -22,6 +23,7 @@ struct PlannerNodeParams {
   std::string world_file;           // gives obstacles and destinations; empty: the map topic does
   std::vector<Point> destinations;  // [m], of people, in the global frame
   double map_timeout = 0.0;         // [s], 0: a map does not age
+  MapPolicy map;                    // how the map topic is read
 };
 
 struct SimNodeParams {

@@ -19,6 +19,7 @@ enum class StopCause {
   kPreparing,
   kNoDecision,
   kEmergency,
+  kObstacle,  // of a map that the planner does not know yet
   kPaused
 };
 

@@ -43,8 +43,8 @@ class ObstacleIndex;
 
 // What stands still: a rectangle to drive in and the obstacles inside it.
 //
-// Immutable and thread-safe. The border of the bounds is no obstacle: leaving the field is a
-// matter of `bounds().contains`, clearance counts obstacles only.
+// Immutable and thread-safe; copies share their tables. The border of the bounds is no obstacle:
+// leaving the field is a matter of `bounds().contains`, clearance counts obstacles only.
 class StaticMap {
  public:
   struct Obstacles {
@@ -58,7 +58,7 @@ class StaticMap {
   StaticMap(const Bounds& bounds, Obstacles obstacles);
 
   const Bounds& bounds() const { return bounds_; }
-  const Obstacles& obstacles() const { return obstacles_; }
+  const Obstacles& obstacles() const { return *obstacles_; }
   bool hasObstacles() const { return has_obstacles_; }
 
   // Distance to the nearest obstacle [m]: exact for circles and polygons, to the centre of the
@@ -71,10 +71,11 @@ class StaticMap {
   double gridClearance(const Point& point) const;
 
   Bounds bounds_;
-  Obstacles obstacles_;
+  std::shared_ptr<const Obstacles> obstacles_;
   bool has_obstacles_ = false;
   std::shared_ptr<const ObstacleIndex> index_;  // of circles and polygons
-  std::vector<float> grid_distance_;            // [m], per grid cell; empty when none is blocked
+  // [m], per grid cell; null when none is blocked
+  std::shared_ptr<const std::vector<float>> grid_distance_;
 };
 
 }  // namespace pomdp_crowd_nav

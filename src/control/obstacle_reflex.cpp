@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pomdp_crowd_nav/control/obstacle_reflex.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pomdp_crowd_nav {
+namespace {
+
+constexpr double kSpacing = 0.05;  // [m], of the places that are looked at
+constexpr double kMargin = 0.05;   // [m], kept beyond the robot's radius
+constexpr int kMoments = 20;       // of a motion
+
+}  // namespace
+
+bool ObstacleReflex::mustBrake(const VehicleState& state, const StaticMap& map) const {
+  std::vector<Point> way{state.position};
+  addBraking(state, way);
+  return touches(way, map);
+}
+
+bool ObstacleReflex::hits(const StepMotion& motion, const StaticMap& map) const {
+  std::vector<Point> way;
+  for (int i = 0; i <= kMoments; ++i) {
+    way.push_back(motion.positionAt(motion.duration * i / kMoments));
+  }
+  addBraking(motion.end(), way);
+  return touches(way, map);
+}
+
+// A way that begins in touch must lead away.
+bool ObstacleReflex::touches(const std::vector<Point>& way, const StaticMap& map) const {
+  const double least =
+      std::min(vehicle_.radius + kMargin, map.clearance(way.front()) - 0.5 * kMargin);
+  return std::any_of(way.begin(), way.end(),
+                     [&](const Point& place) { return map.clearance(place) < least; });
+}
+
+void ObstacleReflex::addBraking(const VehicleState& from, std::vector<Point>& way) const {
+  const double length = reaction_time_ * from.speed + stoppingDistance(vehicle_, from.speed);
+  const int count = static_cast<int>(std::ceil(length / kSpacing));
+  for (int i = 1; i <= count; ++i) {
+    way.push_back(from.position + length * i / count * unitVector(from.heading));
+  }
+}
+
+}  // namespace pomdp_crowd_nav
