@@ -51,6 +51,11 @@ std::string transformOf(const HeardInput& input) {
   return isOfTransform(input.fault) ? "no" : "yes";
 }
 
+std::string verdictOf(const InputVerdict& verdict) {
+  const std::string text = verdict.is_fine ? "ok" : "NOT OK";
+  return verdict.text.empty() ? text : text + ": " + verdict.text;
+}
+
 Row rowOf(const CheckedInput& input) {
   const HeardInput& heard = input.heard;
   const auto orDash = [](const std::string& text) { return text.empty() ? "-" : text; };
@@ -62,7 +67,7 @@ Row rowOf(const CheckedInput& input) {
           heard.rate > 0.0 ? fmt::format("{:.1f} Hz", heard.rate) : "-",
           shown(heard.age, "s"),
           transformOf(heard),
-          (input.verdict.is_fine ? "ok: " : "NOT OK: ") + input.verdict.text};
+          verdictOf(input.verdict)};
 }
 
 }  // namespace

@@ -53,9 +53,13 @@ class CheckInputsTest : public testing::Test {
 TEST_F(CheckInputsTest, AllThere) {
   const Run result = run();
   EXPECT_EQ(result.status, 0) << result.output;
-  for (const char* word :
-       {"/clock", "/odom", "nav_msgs/Odometry", "spencer_tracking_msgs/TrackedPersons",
-        "/check_inputs_rostest", "not needed, people come on /tracked_persons", "heard by"}) {
+  const std::vector<std::string> words = {"/clock",
+                                          "/odom",
+                                          "nav_msgs/Odometry",
+                                          "spencer_tracking_msgs/TrackedPersons",
+                                          "not needed, people come on /tracked_persons",
+                                          "heard by " + ros::this_node::getName()};
+  for (const std::string& word : words) {
     EXPECT_NE(result.output.find(word), std::string::npos) << word << "\n" << result.output;
   }
   EXPECT_EQ(result.output.find("->"), std::string::npos) << result.output;

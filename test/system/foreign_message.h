@@ -52,7 +52,7 @@ struct DataType<pomdp_crowd_nav::Foreign<Ours>> {
 
 template <class Ours>
 struct Definition<pomdp_crowd_nav::Foreign<Ours>> {
-  static const char* value() { return ""; }
+  static const char* value() { return Definition<Ours>::value(); }
   static const char* value(const pomdp_crowd_nav::Foreign<Ours>&) { return value(); }
 };
 

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <csignal>
 #include <iostream>
 
 #include "diagnostics_listener.h"
@@ -33,6 +37,41 @@ std::vector<TrackedPerson> bystanders(int count) {
   }
   return people;
 }
+
+// A tracker that sees 10 000 people five times a second, until it is interrupted. It is this
+// program again, in a process of its own: 35 MB/s through the test's connections would delay what
+// it measures.
+constexpr const char* kCrowdArgument = "--crowd";
+
+int runCrowd() {
+  ros::NodeHandle node;
+  ros::Publisher publisher = node.advertise<Foreign<TrackedPersons>>("tracked_persons", 1);
+  Foreign<TrackedPersons> crowd;
+  crowd.message.header.frame_id = "map";
+  crowd.message.tracks = bystanders(10000);
+  while (ros::ok()) {
+    ros::WallDuration(0.2).sleep();
+    crowd.message.header.stamp = ros::Time::now();
+    publisher.publish(crowd);
+  }
+  return 0;
+}
+
+class CrowdProcess {
+ public:
+  CrowdProcess() {
+    std::string program = "/proc/self/exe", argument = kCrowdArgument, name = "__name:=crowd";
+    char* arguments[] = {program.data(), argument.data(), name.data(), nullptr};
+    EXPECT_EQ(posix_spawn(&pid_, program.c_str(), nullptr, nullptr, arguments, environ), 0);
+  }
+  ~CrowdProcess() {
+    kill(pid_, SIGINT);
+    waitpid(pid_, nullptr, 0);
+  }
+
+ private:
+  pid_t pid_ = 0;
+};
 
 // A robot at full speed; every test makes one of its inputs fail and then lets it come back. How
 // the bounds follow is in doc/safety.md.
@@ -259,16 +298,18 @@ TEST_F(InputsTest, PoseThatJumpsStopsTheBaseAndTheTripGoesOn) {
 // The rest stops nothing: commands go on at 20 Hz.
 
 TEST_F(InputsTest, TenThousandTracksDelayNothing) {
-  const std::vector<TrackedPerson> many = bystanders(10000);
-  robot_.people_spoiler.set([&many](TrackedPersons& persons) { persons.tracks = many; });
-  EXPECT_TRUE(client_.waitUntil(5.0, [&] { return client_.status().people == 1000; }));
+  const CrowdProcess crowd;
+  robot_.are_people_silent = true;
+  EXPECT_TRUE(client_.waitUntil(15.0, [&] {
+    return client_.status().people == 1000 && client_.commandedSpeed() > 0.9;
+  })) << client_.status().stop_cause;
+  client_.forgetCauses();
   const PlannerStatus before = client_.status();
   expectDriveOn({"10 000 tracks", 0.25}, 6.0);
   const PlannerStatus after = client_.status();
   EXPECT_GE(after.decisions - before.decisions, 6u);  // of 12
   EXPECT_GE(after.surplus_people - before.surplus_people, 9000u);
-  robot_.people_spoiler.set({});
-  RecordProperty("missed", static_cast<int>(after.deadline_misses - before.deadline_misses));
+  robot_.are_people_silent = false;
 }
 
 TEST_F(InputsTest, IdsThatChangeAllTheTimeStopNothing) {
@@ -387,5 +428,8 @@ TEST_F(InputsTest, PublishersOfSpencerTrackingAreHeard) {
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   ros::init(argc, argv, "inputs_rostest");
+  if (argc > 1 && std::string(argv[1]) == pomdp_crowd_nav::kCrowdArgument) {
+    return pomdp_crowd_nav::runCrowd();
+  }
   return RUN_ALL_TESTS();
 }
