@@ -211,7 +211,7 @@ VelocityGuard::Output VelocityGuard::stopped(GuardCause cause, double now, doubl
   const VelocityLimiter::Caps caps = limiter_.brakingCaps(period, measured);
   const bool had_nothing_to_stop = !has_command && isZero(command_) && is_command_finite_;
   Output output;
-  output.cause = had_nothing_to_stop && cause == GuardCause::kNoCommand ? GuardCause::kNone : cause;
+  output.cause = had_nothing_to_stop ? GuardCause::kNone : cause;
   output.wanted_speed = has_command ? speedOf(command_.velocity) : 0.0;
   const BaseCommand braked = limiter_.limit(has_command ? command_ : limiter_.last(), caps, period);
   if (has_command || !isIdle(now)) output.command = braked;
