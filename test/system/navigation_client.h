@@ -26,6 +26,9 @@ class LogListener {
 
   bool has(const std::string& text) const { return log_.find(text) != std::string::npos; }
 
+  // Programs that it hears; this one is among them.
+  int programs() const { return static_cast<int>(subscriber_.getNumPublishers()); }
+
  private:
   void onLog(const rosgraph_msgs::Log& line) { log_ += line.msg + "\n"; }
 

@@ -52,6 +52,7 @@ TEST_F(NodeletsTest, BothDriveToAGoal) {
 
 TEST_F(NodeletsTest, AMisspeltParameterIsNamedAndNothingIsLoaded) {
   ASSERT_TRUE(client_.connect());
+  ASSERT_TRUE(client_.waitUntil(10.0, [&] { return log_.programs() >= 4; }));
   XmlRpc::XmlRpcValue wrong = params();
   wrong["max_vel_tran"] = 1.0;
   EXPECT_FALSE(load("/robot_3/planner_node", wrong));

@@ -38,7 +38,10 @@ class Answer {
 
 class ReconfigureTest : public testing::Test {
  protected:
-  void SetUp() override { ASSERT_TRUE(client_.connect()); }
+  void SetUp() override {
+    ASSERT_TRUE(client_.connect());
+    ASSERT_TRUE(client_.waitUntil(10.0, [&] { return log_.programs() >= 3; }));
+  }
 
   void TearDown() override {
     client_.cancelAll();
@@ -81,8 +84,8 @@ class ReconfigureTest : public testing::Test {
     return client_.waitUntil(10.0, [&] { return log_.has(text); });
   }
 
-  void drive() {
-    client_.send(20.0, 40.0);
+  void driveTo(double x, double y) {
+    client_.send(x, y);
     ASSERT_TRUE(client_.waitForMotion(20.0)) << client_.status().stop_cause;
   }
 
@@ -91,7 +94,7 @@ class ReconfigureTest : public testing::Test {
 };
 
 TEST_F(ReconfigureTest, WeightsAndSearchChangeInFlightWithoutAGapInTheCommands) {
-  drive();
+  driveTo(20.0, 40.0);
   ASSERT_TRUE(client_.waitUntil(10.0, [&] { return client_.status().upper_bound > 100.0; }));
   const int commands = client_.commandCount();
   const ros::WallTime begin = ros::WallTime::now();
@@ -111,7 +114,7 @@ TEST_F(ReconfigureTest, WeightsAndSearchChangeInFlightWithoutAGapInTheCommands) 
 }
 
 TEST_F(ReconfigureTest, AnotherClearanceIsTakenOnTheWay) {
-  drive();
+  driveTo(8.0, 45.0);
   EXPECT_EQ(set("model_obstacle_distance", 1.0).number("model_obstacle_distance"), 1.0);
   EXPECT_TRUE(waitForLog("planner 2d_fmm goes on with the new parameters"));
   EXPECT_TRUE(client_.waitForEnd(60.0)) << client_.status().stop_cause;
@@ -119,7 +122,7 @@ TEST_F(ReconfigureTest, AnotherClearanceIsTakenOnTheWay) {
 }
 
 TEST_F(ReconfigureTest, AnotherPlannerIsRefusedOnATripAndDrivesTheNextOne) {
-  drive();
+  driveTo(25.0, 45.0);
   EXPECT_EQ(set("planner", std::string("2d_straight")).text("planner"), "2d_fmm");
   EXPECT_EQ(onServer<std::string>("planner"), "2d_fmm");
   EXPECT_TRUE(waitForLog("planner can be changed only while no trip is under way"));
