@@ -23,10 +23,10 @@ struct PosedGrid {
   Pose origin;
 
   Point toGlobal(const Point& local) const {
-    return origin.position + rotated(-origin.heading, local);
+    return origin.position + rotated(origin.heading, local);
   }
   Point toLocal(const Point& global) const {
-    return rotated(origin.heading, Point(global - origin.position));
+    return rotated(-origin.heading, Point(global - origin.position));
   }
 };
 
