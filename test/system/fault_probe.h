@@ -43,7 +43,7 @@ inline void expectDriveOn(const Fault& fault, double duration) {
   CommandMeter meter;
   NavigationClient::waitUntil(duration, [] { return false; });
   const CommandMeter::Reading reading = meter.reading();
-  EXPECT_GT(reading.commands, 10.0 * duration) << fault.name;
+  EXPECT_GT(reading.commands, 15.0 * duration) << fault.name << ": fewer than 15 Hz";
   EXPECT_GT(reading.least_speed, 0.0) << fault.name << ": the base came to rest";
   EXPECT_LE(reading.longest_period, fault.bound) << fault.name;
   recordFault(fault, "period_s", reading.longest_period);
