@@ -46,7 +46,7 @@ inline CommandMeter::Reading expectDriveOn(const Fault& fault,
   injure();
   const double duration = (ros::WallTime::now() - begin).toSec();
   const CommandMeter::Reading reading = meter.reading();
-  EXPECT_GT(reading.commands, 10.0 * duration) << fault.name;
+  EXPECT_GT(reading.commands, 15.0 * duration) << fault.name << ": fewer than 15 Hz";
   EXPECT_GT(reading.least_speed, 0.0) << fault.name << ": the base came to rest";
   EXPECT_LE(reading.longest_period, fault.bound) << fault.name;
   recordFault(fault, "period_s", reading.longest_period);

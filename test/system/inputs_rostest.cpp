@@ -159,6 +159,12 @@ TEST_F(InputsTest, OdometryThatIsNotFiniteForAMomentIsCounted) {
   robot_.is_odometry_nan = false;
   EXPECT_TRUE(client_.waitUntil(3.0, [&] { return client_.status().bad_odometry > before; }));
   EXPECT_TRUE(client_.waitForMotion(5.0)) << client_.status().stop_cause;
+  EXPECT_TRUE(client_.waitUntil(
+      3.0, [&] { return diagnostics_.level("odometry") == DiagnosticsListener::Status::WARN; }));
+  EXPECT_EQ(diagnostics_.value("odometry", "topic"), "/odom");
+  EXPECT_EQ(diagnostics_.value("odometry", "frame"), "odom");
+  EXPECT_GT(std::stod(diagnostics_.value("odometry", "rate [Hz]")), 20.0);
+  EXPECT_LT(std::stod(diagnostics_.value("odometry", "age [s]")), 0.5);
 }
 
 TEST_F(InputsTest, OdometryOutOfRangeStopsTheBase) {
@@ -301,11 +307,11 @@ TEST_F(InputsTest, TenThousandTracksDelayNothing) {
   const CrowdProcess crowd;
   robot_.are_people_silent = true;
   EXPECT_TRUE(client_.waitUntil(15.0, [&] {
-    return client_.status().people == 1000 && client_.commandedSpeed() > 0.9;
+    return client_.status().people >= 1000 && client_.commandedSpeed() > 0.3;
   })) << client_.status().stop_cause;
   client_.forgetCauses();
   const PlannerStatus before = client_.status();
-  expectDriveOn({"10 000 tracks", 0.25}, 6.0);
+  expectDriveOn({"10 000 tracks", 0.4}, 6.0);
   const PlannerStatus after = client_.status();
   EXPECT_GE(after.decisions - before.decisions, 6u);  // of 12
   EXPECT_GE(after.surplus_people - before.surplus_people, 9000u);
@@ -319,7 +325,7 @@ TEST_F(InputsTest, IdsThatChangeAllTheTimeStopNothing) {
     for (TrackedPerson& person : persons.tracks) person.track_id += first;
     first += 20;
   });
-  expectDriveOn({"ids that switch in every message", 0.25}, 3.0);
+  expectDriveOn({"ids that switch in every message", 0.4}, 3.0);
   EXPECT_GE(client_.status().people, 20u);
   EXPECT_LE(client_.status().people, 200u);  // those of the last sweeps may be remembered
   robot_.people_spoiler.set({});
@@ -331,7 +337,7 @@ TEST_F(InputsTest, OfTwoTracksWithOneIdTheLastCounts) {
     persons.tracks = bystanders(20);
     for (TrackedPerson& person : persons.tracks) person.track_id /= 2;
   });
-  expectDriveOn({"ids given twice", 0.25}, 3.0);
+  expectDriveOn({"ids given twice", 0.4}, 3.0);
   EXPECT_EQ(client_.status().people, 10u);
   EXPECT_GE(client_.status().duplicate_ids, before + 10);
   robot_.people_spoiler.set({});
@@ -344,7 +350,7 @@ TEST_F(InputsTest, APersonWithoutAPositionIsLeftOutAndCounted) {
     persons.tracks[0].pose.pose.position.y = kInfinity;
     persons.tracks[1].twist.twist.linear.x = kNaN;
   });
-  expectDriveOn({"some people not finite", 0.25}, 3.0);
+  expectDriveOn({"some people not finite", 0.4}, 3.0);
   EXPECT_EQ(client_.status().people, 2u);
   EXPECT_GT(client_.status().bad_people, before);
   robot_.people_spoiler.set({});
@@ -354,7 +360,7 @@ TEST_F(InputsTest, StampsALittleAheadAreNow) {
   const unsigned before = client_.status().future_stamps;
   robot_.odometry_spoiler.set([](nav_msgs::Odometry& o) { o.header.stamp += ros::Duration(0.3); });
   robot_.people_spoiler.set([](TrackedPersons& p) { p.header.stamp += ros::Duration(0.3); });
-  expectDriveOn({"stamps 0.3 s ahead", 0.25}, 3.0);
+  expectDriveOn({"stamps 0.3 s ahead", 0.4}, 3.0);
   EXPECT_EQ(client_.status().future_stamps, before);
   robot_.odometry_spoiler.set({});
   robot_.people_spoiler.set({});
@@ -365,7 +371,7 @@ TEST_F(InputsTest, DenormalNumbersAreZero) {
     o.pose.pose.position.z = std::numeric_limits<double>::denorm_min();
     o.twist.twist.angular.z = std::numeric_limits<double>::denorm_min();
   });
-  expectDriveOn({"denormal numbers", 0.25}, 3.0);
+  expectDriveOn({"denormal numbers", 0.4}, 3.0);
   robot_.odometry_spoiler.set({});
 }
 
