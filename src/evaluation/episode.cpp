@@ -154,7 +154,8 @@ class Trip {
     TrackList tracks = tracks_;
     CrowdBelief nobody;
     predictPeople(simulator_.time() - tracks.stamp, nobody, tracks);
-    if (commands_.isStopping(simulator_.time()) || !override_.reflex(vehicle(), tracks)) return;
+    if (commands_.isStopping(simulator_.time())) return;
+    if (!override_.reflex(vehicle(), tracks, simulator_.base().yawRate())) return;
     commands_.stop();
     recorder_.countReflex();
   }
