@@ -171,7 +171,7 @@ NavigationParams loadNavigationParams(ParamReader& reader) {
   reader.read("controller_frequency", params.controller_frequency);
   reader.read("yaw_goal_tolerance", params.yaw_goal_tolerance);
   requireKnownPlanner(params.planner);
-  requireDrives(params.planner, params.planning.model.vehicle.kind);
+  requireDrives(params.planner, params.planning.model.vehicle);
   validate(params.planning);
   requirePositive("search_time", params.search_time);
   requirePositive("controller_frequency", params.controller_frequency);

@@ -21,6 +21,7 @@ class ExtendedSpacePlanner : public Planner {
   Decision decide(const Situation& situation, const SearchLimit& limit) override;
   TreeView viewTree(int max_edges) const override;
   std::vector<Point> globalPath(const Point& from) const override;
+  bool pathAvoidsObstacles() const override { return !field_.isStraightLine(); }
 
  private:
   StepMotion motionOf(const Action& action, const VehicleState& vehicle) const;
