@@ -57,8 +57,7 @@ class Trip {
     const World& world = simulator_.world();
     const std::string reason = whyNotAPlace(world.goal, map_, model_);
     if (!reason.empty()) return reason;
-    return whyNoWay(planner_->globalPath(world.start.position), world.goal, map_,
-                    params_.navigation);
+    return whyNoWay(*planner_, {world.start.position, world.goal}, map_, model_);
   }
 
  private:

@@ -100,8 +100,8 @@ void DecisionLoop::prepare() {
   try {
     const Task task{*map, goal.pose.position, params_.destinations};
     planner_ = makePlanner(params_.navigation.planner, task, params_.navigation.planning);
-    const std::string no_way = whyNoWay(planner_->globalPath(robot->pose.position),
-                                        goal.pose.position, *map, params_.navigation);
+    const std::string no_way = whyNoWay(*planner_, {robot->pose.position, goal.pose.position}, *map,
+                                        params_.navigation.planning.model);
     if (!no_way.empty()) return giveUp(no_way);
   } catch (const std::exception& error) {
     return giveUp(error.what());

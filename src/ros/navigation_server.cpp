@@ -186,8 +186,8 @@ bool NavigationServer::onMakePlan(nav_msgs::GetPlan::Request& request,
     const auto planner =
         makePlanner(params_.navigation.planner, Task{*map, goal->position, params_.destinations},
                     params_.navigation.planning);
-    const std::vector<Point> path = planner->globalPath(start->position);
-    reason = whyNoWay(path, goal->position, *map, params_.navigation);
+    reason = whyNoWay(*planner, {start->position, goal->position}, *map,
+                      params_.navigation.planning.model);
     if (!reason.empty()) {
       ROS_WARN("make_plan: %s", reason.c_str());
       return false;
@@ -195,7 +195,7 @@ bool NavigationServer::onMakePlan(nav_msgs::GetPlan::Request& request,
     std_msgs::Header header;
     header.frame_id = params_.frames.global;
     header.stamp = ros::Time::now();
-    response.plan = toMessage(path, header);
+    response.plan = toMessage(planner->globalPath(start->position), header);
   } catch (const std::exception& error) {
     ROS_WARN("make_plan: %s", error.what());
     return false;
