@@ -18,7 +18,7 @@ Exits with 0 when the goal was reached and nobody came too close, 1 otherwise, 2
   --world NAME       set-up, a file of config/worlds without its ending, or the path of
                      another yaml file (scenario_1)
   --pedestrians N    people, where they are generated (100)
-  --planner NAME     what drives (2d_fmm)
+  --planner NAME     what drives (the profile's)
   --seed N           of the crowd and of the sampled futures (1)
   --profile NAME     vehicle and tuning, a file of config/profiles without its ending (paper for
                      worlds named scenario_..., street for all others)

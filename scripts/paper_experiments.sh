@@ -85,7 +85,8 @@ experiment() {
 bounds() {
   local file=$output/bounds_$1.csv
   shift
-  [[ -e $file ]] || "$tools/omniscient_bound" "${config[@]}" --runs "$runs" --output "$file" "$@"
+  [[ -e $file ]] || "$tools/omniscient_bound" "${config[@]}" "${jobs[@]}" --runs "$runs" \
+    --output "$file" "$@"
 }
 
 plot() {

@@ -16,6 +16,7 @@ files after --output, in the format of their ending: png, pdf or svg. Exit statu
 a file that is none of these.
 """
 import argparse
+import contextlib
 import csv
 import json
 import math
@@ -54,6 +55,16 @@ BELOW = {"loc": "upper center", "bbox_to_anchor": (0.5, 0.0)}
 
 class Refusal(Exception):
     """What is wrong, in one line."""
+
+
+@contextlib.contextmanager
+def expecting(what, path):
+    """Refuses content that lacks something or has something of another kind."""
+    try:
+        yield
+    except (AttributeError, IndexError, KeyError, TypeError, ValueError) as error:
+        detail = f", there is no {error}" if isinstance(error, KeyError) else ""
+        raise Refusal(f"{path}: expected {what}{detail}") from None
 
 
 def read_text(path):
@@ -110,9 +121,11 @@ def read_results(paths):
 
 
 def read_settings(path):
-    """What a results file was written with; empty where it is not known."""
+    """What limited the search of a results file, 0 where it is not known."""
     beside = pathlib.Path(f"{path}.settings.json")
-    return read_json(beside) if beside.exists() else {}
+    settings = read_json(beside) if beside.exists() else {}
+    with expecting("settings of run_experiments", beside):
+        return {name: float(settings.get(name, 0)) for name in ("max_trials", "search_time")}
 
 
 def read_json(path):
@@ -142,6 +155,12 @@ def config_folder():
     return installed if installed.is_dir() else folder.parent / "config"
 
 
+def numbers(values, count):
+    if len(values) != count:
+        raise ValueError
+    return [float(value) for value in values]
+
+
 def world_file(world, config):
     path = pathlib.Path(world)
     is_file = path.suffix in (".yaml", ".yml") or len(path.parts) > 1
@@ -152,12 +171,14 @@ def world_file(world, config):
         mark = getattr(error, "problem_mark", None)
         where = f":{mark.line + 1}" if mark else ""
         raise Refusal(f"{path}{where}: expected a world in yaml") from None
-    if not isinstance(description, dict) or "bounds" not in description:
-        raise Refusal(f"{path}: expected a world in yaml")
-    return {"bounds": [description["bounds"]["min"], description["bounds"]["max"]],
-            "start": description["start"], "goal": description["goal"],
-            "circles": description.get("circles", []),
-            "polygons": description.get("polygons", [])}
+    with expecting("a world in yaml", path):
+        bounds = description["bounds"]
+        return {"bounds": [numbers(bounds["min"], 2), numbers(bounds["max"], 2)],
+                "start": numbers(description["start"], 3), "goal": numbers(description["goal"], 2),
+                "circles": [numbers(circle, 3) for circle in description.get("circles", [])],
+                "polygons": [{"vertices": [numbers(place, 2) for place in polygon["vertices"]],
+                              "closed": polygon.get("closed", True)}
+                             for polygon in description.get("polygons", [])]}
 
 
 def draw_world(axes, world):
@@ -251,7 +272,7 @@ def plot_reduction(options):
         base = times.get((file, world, people, options.baseline), {})
         if planner == options.baseline:
             continue
-        saved = [100.0 * (1.0 - own[seed] / base[seed]) for seed in own if seed in base]
+        saved = [100.0 * (1.0 - own[seed] / base[seed]) for seed in own if base.get(seed, 0) > 0]
         if saved:
             cells.setdefault((world, planner, people), []).extend(saved)
     if not cells:
@@ -331,16 +352,8 @@ def draw_tree(axes, decision):
     return matplotlib.cm.ScalarMappable(scale, colours)
 
 
-def plot_decision(options):
-    decision = read_json(options.file)
-    for key in ("world", "robot", "tree", "rollouts", "people", "plan"):
-        if not isinstance(decision, dict) or key not in decision:
-            raise Refusal(f"{options.file}: expected a decision of export_decision, "
-                          f"'{key}' is missing")
-    if not decision["tree"]:
-        raise Refusal(f"{options.file}: this decision has no search tree")
+def draw_decision(figure, axes, decision):
     world = decision["world"]
-    figure, axes = plt.subplots(figsize=(5.4, 4.6), constrained_layout=True)
     draw_world(axes, world)
     for path in decision["rollouts"]:
         axes.plot(*zip(*path), color="#777777", linewidth=0.8, linestyle=(0, (4, 3)), zorder=2.5)
@@ -355,11 +368,24 @@ def plot_decision(options):
     left, right, bottom, top = extent_of(decision, 2.0)
     axes.set_xlim(left, right)
     axes.set_ylim(bottom, top)
+    figure.colorbar(mappable, ax=axes, shrink=0.8, label="value of the belief")
+
+
+def plot_decision(options):
+    decision = read_json(options.file)
+    for key in ("world", "robot", "tree", "rollouts", "people", "plan"):
+        if not isinstance(decision, dict) or key not in decision:
+            raise Refusal(f"{options.file}: expected a decision of export_decision, "
+                          f"'{key}' is missing")
+    if not decision["tree"]:
+        raise Refusal(f"{options.file}: this decision has no search tree")
+    figure, axes = plt.subplots(figsize=(5.4, 4.6), constrained_layout=True)
+    with expecting("a decision of export_decision", options.file):
+        draw_decision(figure, axes, decision)
     axes.set_xlabel("x [m]")
     axes.set_ylabel("y [m]")
     for axis in (axes.xaxis, axes.yaxis):
         axis.set_major_locator(matplotlib.ticker.MaxNLocator(nbins=6, integer=True))
-    figure.colorbar(mappable, ax=axes, shrink=0.8, label="value of the belief")
     circle = {"linestyle": "none", "marker": "o", "markersize": 6}
     figure.legend(ncol=3, **BELOW, handles=[
         Line2D([], [], **{**circle, "markersize": 9}, color="white", markeredgecolor=INK,
@@ -375,9 +401,9 @@ def plot_decision(options):
 
 def label_of(settings, path):
     """What limits the search of a results file, of its settings."""
-    if settings.get("max_trials", 0) > 0:
-        return f"{settings['max_trials']} trials"
-    if settings.get("search_time", 0) > 0:
+    if settings["max_trials"] > 0:
+        return f"{settings['max_trials']:g} trials"
+    if settings["search_time"] > 0:
         return f"{1e3 * settings['search_time']:g} ms"
     return pathlib.Path(path).stem
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace pomdp_crowd_nav {
@@ -16,6 +17,28 @@ double closestApproach(const Point& offset, const Point& velocity, double durati
   if (speed_squared == 0.0) return offset.norm();
   const double time = std::clamp(-offset.dot(velocity) / speed_squared, 0.0, duration);
   return (offset + time * velocity).norm();
+}
+
+// The same of a car that drives a curve, piece by piece. A person who is close but falls behind
+// counts as far away.
+double closestOnCurve(const VehicleState& car, double yaw_rate, const Track& track,
+                      double duration) {
+  constexpr double kPiece = 0.1;  // [s]
+  const PathLeg curve{car.heading, yaw_rate * duration, car.speed * duration};
+  const int pieces = std::max(1, static_cast<int>(std::ceil(duration / kPiece)));
+  const double piece = duration / pieces;
+  double closest = std::numeric_limits<double>::infinity();
+  Point offset = track.position - car.position;
+  for (int i = 1; i <= pieces; ++i) {
+    const Point next = track.position + i * piece * track.velocity - car.position -
+                       curve.displacement(curve.length * i / pieces);
+    const Point velocity = (next - offset) / piece;
+    if (offset.dot(velocity) < 0.0) {
+      closest = std::min(closest, closestApproach(offset, velocity, piece));
+    }
+    offset = next;
+  }
+  return closest;
 }
 
 }  // namespace
@@ -43,11 +66,20 @@ std::optional<Action> EmergencyOverride::replace(const VehicleState& vehicle,
 }
 
 std::optional<std::int64_t> EmergencyOverride::reflex(const VehicleState& vehicle,
-                                                      const TrackList& tracks) const {
+                                                      const TrackList& tracks,
+                                                      double yaw_rate) const {
   if (!params_.enabled || vehicle.speed <= 0.0) return std::nullopt;
   const double braking =
       vehicle_.instant_velocity ? 0.0 : vehicle.speed / vehicle_.brake_deceleration;
+  const bool on_curve =
+      vehicle_.kind == VehicleKind::kCar && !vehicle_.instant_velocity && yaw_rate != 0.0;
   for (const Track& track : tracks.tracks) {
+    if (on_curve) {
+      const double duration = params_.reaction_time + braking;
+      const double closest = closestOnCurve(vehicle, yaw_rate, track, duration);
+      if (closest <= params_.reflex_distance) return track.id;
+      continue;
+    }
     const Point offset = track.position - vehicle.position;
     const Point velocity = track.velocity - vehicle.velocity();
     // A person who is close but falls behind is no reason to stop.

@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstring>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 namespace pomdp_crowd_nav {
@@ -61,7 +62,21 @@ std::string DurableFile::read() const {
 }
 
 void DurableFile::append(const std::string& text) {
-  if (descriptor_ != STDOUT_FILENO) ::lseek(descriptor_, 0, SEEK_END);
+  if (descriptor_ == STDOUT_FILENO) {
+    write(text);
+    return;
+  }
+  const off_t end = ::lseek(descriptor_, 0, SEEK_END);
+  try {
+    write(text);
+  } catch (...) {
+    // What cannot be cut off is dropped where the file is read.
+    if (end >= 0) std::ignore = ::ftruncate(descriptor_, end);
+    throw;
+  }
+}
+
+void DurableFile::write(const std::string& text) {
   size_t done = 0;
   while (done < text.size()) {
     const ssize_t count = ::write(descriptor_, text.data() + done, text.size() - done);

@@ -57,8 +57,7 @@ class Trip {
     const World& world = simulator_.world();
     const std::string reason = whyNotAPlace(world.goal, map_, model_);
     if (!reason.empty()) return reason;
-    return whyNoWay(planner_->globalPath(world.start.position), world.goal, map_,
-                    params_.navigation);
+    return whyNoWay(*planner_, {world.start.position, world.goal}, map_, model_);
   }
 
  private:
@@ -154,7 +153,8 @@ class Trip {
     TrackList tracks = tracks_;
     CrowdBelief nobody;
     predictPeople(simulator_.time() - tracks.stamp, nobody, tracks);
-    if (commands_.isStopping(simulator_.time()) || !override_.reflex(vehicle(), tracks)) return;
+    if (commands_.isStopping(simulator_.time())) return;
+    if (!override_.reflex(vehicle(), tracks, simulator_.base().yawRate())) return;
     commands_.stop();
     recorder_.countReflex();
   }

@@ -5,54 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
-#include <mutex>
-#include <optional>
-#include <thread>
+
+#include "pomdp_crowd_nav/evaluation/parallel_jobs.h"
 
 namespace pomdp_crowd_nav {
 namespace {
-
-// Hands out trials to workers and their results to the sink.
-class Queue {
- public:
-  Queue(size_t size, const ResultSink& sink) : size_(size), sink_(sink) {}
-
-  std::optional<size_t> next() {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (failure_ || next_ == size_) return std::nullopt;
-    return next_++;
-  }
-
-  void deliver(size_t index, const EpisodeResult& result) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    sink_(index, result);
-  }
-
-  void fail(std::exception_ptr failure) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (!failure_) failure_ = failure;
-  }
-
-  void rethrowFailure() const {
-    if (failure_) std::rethrow_exception(failure_);
-  }
-
- private:
-  size_t size_;
-  const ResultSink& sink_;
-  std::mutex mutex_;
-  size_t next_ = 0;
-  std::exception_ptr failure_;
-};
-
-void work(Queue& queue, const std::vector<Trial>& trials, const TrialRunner& runner) {
-  try {
-    while (const auto index = queue.next()) queue.deliver(*index, runner(trials[*index]));
-  } catch (...) {
-    queue.fail(std::current_exception());
-  }
-}
 
 // A number for a CSV cell; empty where nothing was measured.
 std::string cell(double value) {
@@ -77,13 +34,9 @@ std::vector<Trial> ExperimentPlan::trials() const {
 
 void runTrials(const std::vector<Trial>& trials, int jobs, const TrialRunner& runner,
                const ResultSink& sink) {
-  Queue queue(trials.size(), sink);
-  std::vector<std::thread> workers;
-  for (int i = 0; i < std::max(1, jobs); ++i) {
-    workers.emplace_back([&] { work(queue, trials, runner); });
-  }
-  for (std::thread& worker : workers) worker.join();
-  queue.rethrowFailure();
+  runJobs(trials.size(), jobs, [&](size_t index) -> Delivery {
+    return [&sink, index, result = runner(trials[index])] { sink(index, result); };
+  });
 }
 
 std::string csvHeader() {

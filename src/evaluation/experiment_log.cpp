@@ -29,7 +29,7 @@ OrderedCsv openResults(const ExperimentLog::Files& files, const std::vector<Tria
     refuseIfThere("--output", files.results);
     refuseIfThere("--trails", files.trails);
   }
-  if (files.resume && holdsLines(files.results)) {
+  if (files.resume && OrderedCsv::holdsLines(files.results)) {
     requireSameSettings(settingsPath(files.results), settings);
   } else {
     writeSettings(settingsPath(files.results), settings);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -18,6 +19,7 @@ using Json = nlohmann::json;
 Json toJson(const ExperimentSettings& settings) {
   const ExperimentPlan& plan = settings.plan;
   Json json;
+  json["version"] = settings.version;
   json["plan"] = {{"worlds", plan.worlds},
                   {"pedestrians", plan.pedestrians},
                   {"planners", plan.planners},
@@ -31,13 +33,15 @@ Json toJson(const ExperimentSettings& settings) {
     json["worlds"][name] = {{"profile", world.profile},
                             {"vehicle", world.vehicle},
                             {"parameters", world.parameters},
-                            {"world", world.world}};
+                            {"world", world.world},
+                            {"recording", world.recording}};
   }
   return json;
 }
 
 ExperimentSettings fromJson(const Json& json) {
   ExperimentSettings settings;
+  settings.version = json.value("version", "");
   const Json& plan = json.at("plan");
   plan.at("worlds").get_to(settings.plan.worlds);
   plan.at("pedestrians").get_to(settings.plan.pedestrians);
@@ -54,6 +58,7 @@ ExperimentSettings fromJson(const Json& json) {
     item.at("vehicle").get_to(world.vehicle);
     item.at("parameters").get_to(world.parameters);
     item.at("world").get_to(world.world);
+    world.recording = item.value("recording", "");
   }
   return settings;
 }
@@ -82,6 +87,18 @@ std::string readable(std::string pointer) {
 
 }  // namespace
 
+// Size and FNV-1a.
+std::string fingerprintOf(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::uint64_t hash = 0xCBF29CE484222325ULL;
+  std::uint64_t size = 0;
+  for (char c = 0; file.get(c); ++size) {
+    hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3ULL;
+  }
+  if (!file.eof()) throw std::runtime_error(cannotBeRead(path));
+  return fmt::format("{} bytes, {:016x}", size, hash);
+}
+
 std::string settingsPath(const std::string& results_path) {
   return results_path + ".settings.json";
 }
@@ -107,6 +124,12 @@ void requireSameSettings(const std::string& path, const ExperimentSettings& sett
   here.erase("set");
   there = there.flatten();
   here = here.flatten();
+  const std::string version = textOf(there, "/version");
+  if (version != textOf(here, "/version")) {
+    throw std::runtime_error(fmt::format(
+        "{}: the version of the program was {} and is {} now; go on with the program that began",
+        path, version, textOf(here, "/version")));
+  }
   Json all = there;
   all.update(here);
   for (const auto& [key, value] : all.items()) {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <queue>
 #include <stdexcept>
 
@@ -37,28 +36,29 @@ class OmniscientBound::Search {
  public:
   Search(const OmniscientBound& bound, CrowdHistory& people)
       : bound_(bound),
+        lattice_(bound.lattice_),
         people_(people),
-        goal_offset_(static_cast<int>(bound.offsets_.size())),
-        arrivals_(bound.clearances_.size(), kInfinity),
-        came_by_(bound.clearances_.size()) {}
+        goal_offset_(static_cast<int>(lattice_.offsets().size())),
+        arrivals_(lattice_.size(), kInfinity),
+        came_by_(lattice_.size()) {}
 
   std::optional<Plan> run() {
-    settle(bound_.start_node_, bound_.params_.start_delay);
+    settle(lattice_.startNode(), bound_.params_.start_delay);
     while (!candidates_.empty()) {
       const Candidate next = candidates_.top();
       if (next.time > bound_.params_.time_limit) break;
       candidates_.pop();
       if (next.offset == goal_offset_) {
-        if (bound_.isClear(bound_.place(next.node), goalOf(next), next.departure, people_)) {
+        if (bound_.isClear(lattice_.place(next.node), goalOf(next), next.departure, people_)) {
           return planTo(next);
         }
         if (lengthOf(next) <= bound_.params_.reach * bound_.params_.spacing) putOff(next);
         continue;
       }
-      const Offset& offset = bound_.offsets_[next.offset];
-      const size_t node = *bound_.neighbour(next.node, offset);
+      const BoundLattice::Offset& offset = lattice_.offsets()[next.offset];
+      const size_t node = *lattice_.neighbour(next.node, offset);
       if (std::isfinite(arrivals_[node])) continue;
-      const Point from = bound_.place(next.node);
+      const Point from = lattice_.place(next.node);
       if (!bound_.isClear(from, from + offset.way, next.departure, people_)) {
         putOff(next);
         continue;
@@ -78,9 +78,11 @@ class OmniscientBound::Search {
     bool operator<(const Candidate& other) const { return time > other.time; }
   };
 
-  Point goalOf(const Candidate& shot) const { return bound_.arrivalFrom(bound_.place(shot.node)); }
+  Point goalOf(const Candidate& shot) const {
+    return lattice_.arrivalFrom(lattice_.place(shot.node));
+  }
   double lengthOf(const Candidate& shot) const {
-    return bound_.distanceToGoal(bound_.place(shot.node));
+    return lattice_.distanceToGoal(lattice_.place(shot.node));
   }
 
   void putOff(Candidate candidate) {
@@ -92,15 +94,16 @@ class OmniscientBound::Search {
   void settle(size_t node, double arrival) {
     arrivals_[node] = arrival;
     const double speed = bound_.params_.max_speed;
-    if (bound_.sees_goal_[node]) {
-      candidates_.push({arrival + bound_.ways_[node] / speed, arrival, node, goal_offset_});
+    if (lattice_.seesGoal(node)) {
+      candidates_.push({arrival + lattice_.wayFrom(node) / speed, arrival, node, goal_offset_});
     }
     for (int i = 0; i < goal_offset_; ++i) {
-      const Offset& offset = bound_.offsets_[i];
-      const auto other = bound_.neighbour(node, offset);
-      if (!other || std::isfinite(arrivals_[*other]) || std::isinf(bound_.ways_[*other])) continue;
-      if (!bound_.isOpen(node, offset, *other)) continue;
-      const double time = arrival + (offset.length + bound_.ways_[*other]) / speed;
+      const BoundLattice::Offset& offset = lattice_.offsets()[i];
+      const auto other = lattice_.neighbour(node, offset);
+      if (!other || std::isfinite(arrivals_[*other]) || std::isinf(lattice_.wayFrom(*other)))
+        continue;
+      if (!lattice_.isOpen(node, offset, *other)) continue;
+      const double time = arrival + (offset.length + lattice_.wayFrom(*other)) / speed;
       candidates_.push({time, arrival, node, i});
     }
   }
@@ -111,17 +114,18 @@ class OmniscientBound::Search {
     const auto add = [&](const Point& from, const Point& to, double departure) {
       plan.legs.push_back({from, to, departure, departure + (to - from).norm() / speed});
     };
-    add(bound_.place(shot.node), goalOf(shot), shot.departure);
+    add(lattice_.place(shot.node), goalOf(shot), shot.departure);
     plan.arrival = plan.legs.front().arrival;
-    for (size_t node = shot.node; node != bound_.start_node_; node = came_by_[node].node) {
+    for (size_t node = shot.node; node != lattice_.startNode(); node = came_by_[node].node) {
       const Candidate& way = came_by_[node];
-      add(bound_.place(way.node), bound_.place(node), way.departure);
+      add(lattice_.place(way.node), lattice_.place(node), way.departure);
     }
     std::reverse(plan.legs.begin(), plan.legs.end());
     return plan;
   }
 
   const OmniscientBound& bound_;
+  const BoundLattice& lattice_;
   CrowdHistory& people_;
   int goal_offset_;
   std::vector<double> arrivals_;  // [s], per node; infinite where it is not known yet
@@ -131,118 +135,8 @@ class OmniscientBound::Search {
 
 OmniscientBound::OmniscientBound(const World& world, const Params& params)
     : params_(validated(params)),
-      sight_(world.map(), params.obstacle_clearance),
-      start_(world.start.position),
-      goal_(world.goal) {
-  layLattice();
-  listOffsets();
-  measureWays();
-}
-
-// Along the beeline, with the start on a node; nodes off the field and in the clearance are left
-// out.
-void OmniscientBound::layLattice() {
-  const Point way = goal_ - start_;
-  along_ = way.norm() > kRounding ? Point(way.normalized()) : Point(1.0, 0.0);
-  across_ = {-along_.y(), along_.x()};
-  const Bounds& bounds = sight_.map().bounds();
-  Eigen::Array2d low = Eigen::Array2d::Constant(kInfinity);
-  Eigen::Array2d high = -low;
-  for (const double x : {bounds.min.x(), bounds.max.x()}) {
-    for (const double y : {bounds.min.y(), bounds.max.y()}) {
-      const Point corner = Point(x, y) - start_;
-      const Eigen::Array2d turned(corner.dot(along_), corner.dot(across_));
-      low = low.min(turned);
-      high = high.max(turned);
-    }
-  }
-  const Eigen::Array2d first = (low / params_.spacing).ceil().min(0.0);
-  const Eigen::Array2d last = (high / params_.spacing).floor().max(0.0);
-  columns_ = static_cast<int>(last.x() - first.x()) + 1;
-  rows_ = static_cast<int>(last.y() - first.y()) + 1;
-  corner_ = start_ + params_.spacing * (first.x() * along_ + first.y() * across_);
-  start_node_ = static_cast<size_t>(-first.y()) * columns_ + static_cast<size_t>(-first.x());
-  const auto size = static_cast<size_t>(columns_) * rows_;
-  clearances_.assign(size, -1.0F);
-  for (size_t node = 0; node < size; ++node) {
-    const Point here = place(node);
-    const bool is_start = node == start_node_;
-    if (!is_start && (!bounds.contains(here) || !sight_.isFree(here))) continue;
-    clearances_[node] = static_cast<float>(std::max(0.0, sight_.map().clearance(here)));
-  }
-}
-
-// One way in each direction.
-void OmniscientBound::listOffsets() {
-  const int reach = params_.reach;
-  for (int row = -reach; row <= reach; ++row) {
-    for (int column = -reach; column <= reach; ++column) {
-      if (std::gcd(row, column) != 1 || row * row + column * column > reach * reach) continue;
-      const Point way = params_.spacing * (column * along_ + row * across_);
-      offsets_.push_back({column, row, way, way.norm()});
-    }
-  }
-}
-
-// Dijkstra's search from the goal: the exact length of every way that the lattice has without
-// people, so that the heuristic of the search among them is consistent.
-void OmniscientBound::measureWays() {
-  using Item = std::pair<double, size_t>;  // length, node
-  std::priority_queue<Item, std::vector<Item>, std::greater<Item>> queue;
-  ways_.assign(clearances_.size(), kInfinity);
-  sees_goal_.assign(clearances_.size(), 0);
-  for (size_t node = 0; node < ways_.size(); ++node) {
-    if (clearances_[node] < 0.0F) continue;
-    const Point here = place(node);
-    if (!sight_.isClear(here, arrivalFrom(here))) continue;
-    sees_goal_[node] = 1;
-    ways_[node] = distanceToGoal(here);
-    queue.emplace(ways_[node], node);
-  }
-  while (!queue.empty()) {
-    const auto [length, node] = queue.top();
-    queue.pop();
-    if (length > ways_[node]) continue;
-    for (const Offset& offset : offsets_) {
-      const auto other = neighbour(node, offset);
-      if (!other || length + offset.length >= ways_[*other] - kRounding) continue;
-      if (!isOpen(node, offset, *other)) continue;
-      ways_[*other] = length + offset.length;
-      queue.emplace(ways_[*other], *other);
-    }
-  }
-}
-
-Point OmniscientBound::place(size_t node) const {
-  const auto column = static_cast<double>(node % static_cast<size_t>(columns_));
-  const auto row = static_cast<double>(node / static_cast<size_t>(columns_));
-  return corner_ + params_.spacing * (column * along_ + row * across_);
-}
-
-std::optional<size_t> OmniscientBound::neighbour(size_t node, const Offset& offset) const {
-  const int column = static_cast<int>(node % static_cast<size_t>(columns_)) + offset.columns;
-  const int row = static_cast<int>(node / static_cast<size_t>(columns_)) + offset.rows;
-  if (column < 0 || row < 0 || column >= columns_ || row >= rows_) return std::nullopt;
-  const size_t other = static_cast<size_t>(row) * columns_ + column;
-  if (clearances_[other] < 0.0F) return std::nullopt;
-  return other;
-}
-
-// Far from obstacles nothing needs to be looked at.
-bool OmniscientBound::isOpen(size_t node, const Offset& offset, size_t other) const {
-  const double spare = 0.5 * (clearances_[node] + clearances_[other]) - sight_.clearance();
-  if (spare > 0.5 * offset.length) return true;
-  return sight_.isClear(place(node), place(other));
-}
-
-double OmniscientBound::distanceToGoal(const Point& place) const {
-  return std::max(0.0, (goal_ - place).norm() - params_.goal_tolerance + kRounding);
-}
-
-Point OmniscientBound::arrivalFrom(const Point& place) const {
-  const double length = (goal_ - place).norm();
-  return length > kRounding ? place + (goal_ - place) * (distanceToGoal(place) / length) : place;
-}
+      lattice_(world,
+               {params.obstacle_clearance, params.goal_tolerance, params.spacing, params.reach}) {}
 
 bool OmniscientBound::isClear(const Point& from, const Point& to, double departure,
                               CrowdHistory& people) const {
@@ -277,8 +171,8 @@ OmniscientBound::Plan OmniscientBound::pulledStraight(const Plan& plan,
     size_t last = plan.legs.size();
     while (!leg && --last > i) {
       const bool is_end = last + 1 == plan.legs.size();
-      const Point to = is_end ? arrivalFrom(from) : plan.legs[last].to;
-      if (sight_.isClear(from, to)) {
+      const Point to = is_end ? lattice_.arrivalFrom(from) : plan.legs[last].to;
+      if (lattice_.sight().isClear(from, to)) {
         leg = earliestLeg(from, to, ready, plan.legs[last].arrival, people);
       }
     }
@@ -306,11 +200,11 @@ std::optional<OmniscientBound::Leg> OmniscientBound::earliestLeg(const Point& fr
 }
 
 double OmniscientBound::beelineTime() const {
-  return params_.start_delay + distanceToGoal(start_) / params_.max_speed;
+  return params_.start_delay + lattice_.distanceToGoal(lattice_.start()) / params_.max_speed;
 }
 
 double OmniscientBound::emptyDriveTime() const {
-  return params_.start_delay + ways_[start_node_] / params_.max_speed;
+  return params_.start_delay + lattice_.wayFrom(lattice_.startNode()) / params_.max_speed;
 }
 
 }  // namespace pomdp_crowd_nav

@@ -142,16 +142,22 @@ void OrderedCsv::add(size_t index, const std::string& block) {
     return;
   }
   std::string text = block;
-  ++next_;
-  for (auto waiting = ahead_.find(next_); waiting != ahead_.end(); waiting = ahead_.find(next_)) {
+  size_t end = next_ + 1;  // of the blocks whose turn it is
+  for (auto waiting = ahead_.find(end); waiting != ahead_.end(); waiting = ahead_.find(end)) {
     text += waiting->second;
-    ahead_.erase(waiting);
-    ++next_;
+    ++end;
   }
   file_.append(text);
+  next_ = end;
+  ahead_.erase(ahead_.begin(), ahead_.lower_bound(next_));
   if (ahead_.empty() && !path_.empty()) std::remove(aheadOf(path_).c_str());
 }
 
-bool holdsLines(const std::string& path) { return contentOf(path).find('\n') != std::string::npos; }
+bool OrderedCsv::holdsLines(const std::string& path) {
+  const auto holds = [](const std::string& file) {
+    return contentOf(file).find('\n') != std::string::npos;
+  };
+  return holds(path) || holds(aheadOf(path));
+}
 
 }  // namespace pomdp_crowd_nav

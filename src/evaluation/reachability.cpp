@@ -9,10 +9,9 @@
 namespace pomdp_crowd_nav {
 namespace {
 
-constexpr const char* kBlindPlanner = "2d_straight";  // its path is a beeline, its search is not
-constexpr double kSpacing = 0.1;                      // [m], of the places looked at along a path
-constexpr double kTouch = 0.51 * kSpacing;            // [m], no wall fits between two places
-constexpr double kSlack = 0.5;  // [m], beyond the goal tolerance, that a path may miss
+constexpr double kSpacing = 0.1;            // [m], of the places looked at along a path
+constexpr double kTouch = 0.51 * kSpacing;  // [m], no wall fits between two places
+constexpr double kSlack = 0.5;              // [m], beyond the goal tolerance, that a path may miss
 
 bool isBlocked(const Point& from, const Point& to, const StaticMap& map) {
   const int pieces = std::max(1, static_cast<int>(std::ceil((to - from).norm() / kSpacing)));
@@ -36,9 +35,8 @@ std::string whyNotAPlace(const Point& goal, const StaticMap& map, const ModelPar
 }
 
 std::string whyNoWay(const std::vector<Point>& path, const Point& goal, const StaticMap& map,
-                     const NavigationParams& params) {
-  if (params.planner == kBlindPlanner) return "";
-  const double slack = params.planning.model.goal_tolerance + kSlack;
+                     const ModelParams& model) {
+  const double slack = model.goal_tolerance + kSlack;
   const std::string no_way = fmt::format("no way to the goal ({:.2f}, {:.2f})", goal.x(), goal.y());
   size_t begin = 0;
   while (begin < path.size() && map.clearance(path[begin]) <= kTouch) ++begin;
@@ -50,6 +48,12 @@ std::string whyNoWay(const std::vector<Point>& path, const Point& goal, const St
   if ((path.back() - goal).norm() <= slack) return "";
   return no_way +
          fmt::format(": known as far as ({:.2f}, {:.2f})", path.back().x(), path.back().y());
+}
+
+std::string whyNoWay(const Planner& planner, const Way& way, const StaticMap& map,
+                     const ModelParams& model) {
+  if (!planner.pathAvoidsObstacles()) return "";
+  return whyNoWay(planner.globalPath(way.from), way.goal, map, model);
 }
 
 }  // namespace pomdp_crowd_nav

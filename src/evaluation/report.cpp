@@ -7,58 +7,22 @@
 #include <cmath>
 #include <filesystem>
 
+#include "pomdp_crowd_nav/evaluation/markdown.h"
 #include "pomdp_crowd_nav/params/number_text.h"
 
 namespace pomdp_crowd_nav {
 namespace {
 
-constexpr const char* kNone = "–";
-
-std::string number(double value, int digits) {
-  return std::isfinite(value) ? fmt::format("{:.{}f}", value, digits) : kNone;
-}
-
-std::string withError(double mean, double error, int digits) {
-  if (!std::isfinite(mean)) return kNone;
-  if (!std::isfinite(error)) return number(mean, digits);
-  return fmt::format("{:.{}f} ± {:.{}f}", mean, digits, error, digits);
-}
-
-std::string withError(const Summary& summary, int digits) {
-  return withError(summary.mean, summary.standard_error, digits);
-}
-
-// Mean and 95 % confidence interval.
-std::string withInterval(const Summary& summary, double scale, int digits) {
-  const double half = halfConfidenceInterval(summary);
-  if (!std::isfinite(half)) return number(scale * summary.mean, digits);
-  return fmt::format("{:+.{}f} [{:+.{}f}, {:+.{}f}]", scale * summary.mean, digits,
-                     scale * (summary.mean - half), digits, scale * (summary.mean + half), digits);
-}
-
-using Row = std::vector<std::string>;
-
-std::string markdownTable(const Row& header, const std::vector<Row>& rows) {
-  const auto line = [](const Row& cells) {
-    std::string text = "|";
-    for (const std::string& cell : cells) text += " " + cell + " |";
-    return text + "\n";
-  };
-  std::string text = line(header) + "|";
-  for (size_t i = 0; i < header.size(); ++i) text += "---|";
-  text += "\n";
-  for (const Row& row : rows) text += line(row);
-  return text + "\n";
-}
+using Row = MarkdownRow;
 
 // A results file with what is known of the vehicle that it is about.
 class Section {
  public:
-  Section(const ResultsFile& file, const PaperResults& paper,
-          const std::map<TripKey, double>& bounds)
+  Section(const ResultsFile& file, const PaperResults& paper, const BoundsOfTrips& bounds)
       : file_(file), paper_(paper), bounds_(bounds), cells_(cellsOf(file.rows)) {
     for (const Cell& cell : cells_) summaries_.push_back(summarize(cell));
-    readVehicle();
+    has_nhv_ = std::any_of(cells_.begin(), cells_.end(),
+                           [](const Cell& cell) { return cell.planner.rfind("2d_nhv", 0) == 0; });
   }
 
   std::string write() const {
@@ -67,27 +31,39 @@ class Section {
   }
 
  private:
+  struct Vehicle {
+    std::string kind;
+    long max_speed;  // [mm/s]
+  };
+
   // From the settings, else from the planners: only a car drives with 2d_nhv.
-  void readVehicle() {
-    const bool has_nhv = std::any_of(cells_.begin(), cells_.end(), [](const Cell& cell) {
-      return cell.planner.rfind("2d_nhv", 0) == 0;
-    });
-    vehicle_ = has_nhv ? "car" : "holonomic";
-    double speed = has_nhv ? 4.0 : 2.0;  // [m/s], the paper's
-    if (file_.settings && !file_.settings->worlds.empty()) {
-      const auto& world = file_.settings->worlds.begin()->second;
-      vehicle_ = world.vehicle;
-      const auto key = world.parameters.find("max_vel_trans");
-      speed = VehicleParams().max_speed;
-      if (key != world.parameters.end()) speed = parseDouble(key->second).value_or(speed);
+  Vehicle vehicleIn(const std::string& world_name) const {
+    if (file_.settings) {
+      const auto world = file_.settings->worlds.find(world_name);
+      if (world != file_.settings->worlds.end()) return vehicleOf(world->second);
     }
-    max_speed_ = std::lround(1000.0 * speed);
+    return has_nhv_ ? Vehicle{"car", 4000} : Vehicle{"holonomic", 2000};  // the paper's
+  }
+
+  static Vehicle vehicleOf(const ExperimentSettings::WorldSettings& world) {
+    double speed = VehicleParams().max_speed;
+    const auto key = world.parameters.find("max_vel_trans");
+    if (key != world.parameters.end()) speed = parseDouble(key->second).value_or(speed);
+    return {world.vehicle, std::lround(1000.0 * speed)};
+  }
+
+  std::string vehicles() const {
+    bool has_car = false, has_other = false;
+    for (const Cell& cell : cells_) {
+      (vehicleIn(cell.world).kind == "car" ? has_car : has_other) = true;
+    }
+    if (!has_car) return "holonomic vehicle";
+    return has_other ? "car and holonomic vehicle" : "car";
   }
 
   std::string heading() const {
     std::string text =
-        fmt::format("## {}: {}\n\n", std::filesystem::path(file_.path).stem().string(),
-                    vehicle_ == "car" ? "car" : "holonomic vehicle");
+        fmt::format("## {}: {}\n\n", std::filesystem::path(file_.path).stem().string(), vehicles());
     if (!file_.settings) return text;
     const ExperimentSettings& settings = *file_.settings;
     std::string profiles;
@@ -106,7 +82,7 @@ class Section {
   }
 
   std::optional<PaperResult> paperOf(const Cell& cell) const {
-    return paper_.find(vehicle_, cell.planner, cell.world, cell.pedestrians);
+    return paper_.find(vehicleIn(cell.world).kind, cell.planner, cell.world, cell.pedestrians);
   }
 
   const Cell* baselineOf(const Cell& cell) const {
@@ -148,20 +124,20 @@ class Section {
       Row row = place(cells_[i]);
       add(row, true, withError(summaries_[i].travel_time, 2));
       add(row, has_paper,
-          paper ? withError(paper->travel_time, paper->travel_time_error, 2) : kNone);
-      add(row, shows_pairs, baseline ? pairsWon(comparePairs(cells_[i], *baseline)) : kNone);
+          paper ? withError(paper->travel_time, paper->travel_time_error, 2) : kNoFigure);
+      add(row, shows_pairs, baseline ? pairsWon(comparePairs(cells_[i], *baseline)) : kNoFigure);
       add(row, has_paper,
-          paper && paper->pairs_won ? fmt::format("{} of 100", *paper->pairs_won) : kNone);
+          paper && paper->pairs_won ? fmt::format("{} of 100", *paper->pairs_won) : kNoFigure);
       add(row, true, withError(summaries_[i].sudden_brakes, 2));
       add(row, has_paper,
-          paper ? withError(paper->sudden_brakes, paper->sudden_brakes_error, 2) : kNone);
+          paper ? withError(paper->sudden_brakes, paper->sudden_brakes_error, 2) : kNoFigure);
       rows.push_back(row);
     }
     return "### Travel time, pairs and sudden brakes\n\n" + markdownTable(header, rows);
   }
 
   static std::string pairsWon(const Pairs& pairs) {
-    return pairs.count > 0 ? fmt::format("{} of {}", pairs.won, pairs.count) : kNone;
+    return pairs.count > 0 ? fmt::format("{} of {}", pairs.won, pairs.count) : kNoFigure;
   }
 
   std::string safety() const {
@@ -172,7 +148,7 @@ class Section {
       row.push_back(fmt::format("{} of {}", s.arrived, s.episodes));
       row.push_back(fmt::format("{} ({} steps)", s.unsafe_episodes, s.unsafe_steps));
       row.push_back(fmt::format("{} ({} ticks)", s.risky_episodes, s.unsafe_ticks));
-      row.push_back(number(s.min_distance, 2));
+      row.push_back(figure(s.min_distance, 2));
       rows.push_back(row);
     }
     return "### Arrival and safety\n\n" +
@@ -210,11 +186,11 @@ class Section {
     for (size_t i = 0; i < cells_.size(); ++i) {
       const CellSummary& s = summaries_[i];
       Row row = place(cells_[i]);
-      row.push_back(number(1000.0 * s.mean_search_time, 1));
-      row.push_back(number(1000.0 * s.max_search_time, 0));
-      row.push_back(number(s.mean_trials, 0));
+      row.push_back(figure(1000.0 * s.mean_search_time, 1));
+      row.push_back(figure(1000.0 * s.max_search_time, 0));
+      row.push_back(figure(s.mean_trials, 0));
       row.push_back(std::to_string(s.bound_violations));
-      if (has_stale) row.push_back(number(100.0 * s.stale_share, 1));
+      if (has_stale) row.push_back(figure(100.0 * s.stale_share, 1));
       rows.push_back(row);
     }
     return "### Search for a decision\n\n" + markdownTable(header, rows);
@@ -223,17 +199,25 @@ class Section {
   std::string boundDistances() const {
     std::vector<Row> rows;
     for (const Cell& cell : cells_) {
-      const BoundDistance distance = compareWithBounds(cell, bounds_, max_speed_);
-      if (distance.count == 0) continue;
+      const BoundDistances distances =
+          compareWithBounds(cell, bounds_, vehicleIn(cell.world).max_speed);
+      if (distances.free_drive.ratio.count == 0) continue;
       Row row = place(cell);
-      row.push_back(std::to_string(distance.count));
-      row.push_back(withInterval(distance.difference, 1.0, 2));
-      row.push_back(withError(distance.ratio, 3));
+      for (const BoundDistance& distance : {distances.plan, distances.free_drive}) {
+        row.push_back(std::to_string(distance.ratio.count));
+        row.push_back(withInterval(distance.difference, 1.0, 2));
+        row.push_back(withError(distance.ratio, 3));
+      }
       rows.push_back(row);
     }
     if (rows.empty()) return "";
-    return "### Distance from the omniscient bound\n\n" +
-           markdownTable({"world", "people", "planner", "episodes", "longer by [s]", "ratio"},
+    return "### Distance from the omniscient plan and from the free drive\n\n"
+           "The omniscient plan is the fastest that was found on a lattice for a robot that knows "
+           "where everybody will be and is at full speed or at rest: it can be driven, and a trip "
+           "may in principle be faster. The free drive is a limit: no trip takes less, whoever is "
+           "about.\n\n" +
+           markdownTable({"world", "people", "planner", "episodes", "longer than the plan by [s]",
+                          "ratio", "episodes", "longer than the free drive by [s]", "ratio"},
                          rows);
   }
 
@@ -242,9 +226,9 @@ class Section {
     for (const EpisodeRow& row : file_.rows) {
       if (row.reached && row.unsafe_steps == 0 && row.unsafe_ticks == 0) continue;
       rows.push_back({row.trial.world, std::to_string(row.trial.pedestrians), row.trial.planner,
-                      std::to_string(row.trial.seed), causeOf(row), number(row.travel_time, 1),
+                      std::to_string(row.trial.seed), causeOf(row), figure(row.travel_time, 1),
                       std::to_string(row.unsafe_steps), std::to_string(row.unsafe_ticks),
-                      row.min_moving_distance ? number(*row.min_moving_distance, 3) : kNone});
+                      row.min_moving_distance ? figure(*row.min_moving_distance, 3) : kNoFigure});
     }
     const std::string title = "### Episodes that did not arrive or were unsafe\n\n";
     if (rows.empty()) return title + fmt::format("None of {}.\n\n", file_.rows.size());
@@ -266,11 +250,10 @@ class Section {
 
   const ResultsFile& file_;
   const PaperResults& paper_;
-  const std::map<TripKey, double>& bounds_;
+  const BoundsOfTrips& bounds_;
   std::vector<Cell> cells_;
   std::vector<CellSummary> summaries_;
-  std::string vehicle_;
-  long max_speed_ = 2000;  // [mm/s]
+  bool has_nhv_ = false;
 };
 
 std::string overview(const std::vector<ResultsFile>& files) {
@@ -295,7 +278,7 @@ std::string overview(const std::vector<ResultsFile>& files) {
 }  // namespace
 
 std::string writeReport(const std::vector<ResultsFile>& files, const PaperResults& paper,
-                        const std::map<TripKey, double>& bounds) {
+                        const BoundsOfTrips& bounds) {
   std::string text = "# Experiments\n\n" + overview(files);
   for (const ResultsFile& file : files) text += Section(file, paper, bounds).write();
   text.pop_back();  // the empty line at the end

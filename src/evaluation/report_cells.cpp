@@ -87,21 +87,24 @@ Pairs comparePairs(const Cell& cell, const Cell& baseline) {
   return pairs;
 }
 
-BoundDistance compareWithBounds(const Cell& cell, const std::map<TripKey, double>& bounds,
-                                long max_speed) {
-  BoundDistance distance;
-  std::vector<double> differences, ratios;
+BoundDistances compareWithBounds(const Cell& cell, const BoundsOfTrips& bounds, long max_speed) {
+  struct Differences {
+    std::vector<double> differences, ratios;
+    void add(double time, double bound) {
+      differences.push_back(time - bound);
+      ratios.push_back(time / bound);
+    }
+    BoundDistance summary() const { return {summarize(differences), summarize(ratios)}; }
+  };
+  Differences plan, free_drive;
   for (const EpisodeRow* row : cell.episodes) {
     const Trial& trial = row->trial;
-    const auto bound = bounds.find({trial.world, trial.pedestrians, trial.seed, max_speed});
-    if (bound == bounds.end() || !countsForMeans(*row)) continue;
-    ++distance.count;
-    differences.push_back(row->travel_time - bound->second);
-    ratios.push_back(row->travel_time / bound->second);
+    const auto trip = bounds.find({trial.world, trial.pedestrians, trial.seed, max_speed});
+    if (trip == bounds.end() || !countsForMeans(*row)) continue;
+    if (trip->second.plan) plan.add(row->travel_time, *trip->second.plan);
+    free_drive.add(row->travel_time, trip->second.free_drive);
   }
-  distance.difference = summarize(differences);
-  distance.ratio = summarize(ratios);
-  return distance;
+  return {plan.summary(), free_drive.summary()};
 }
 
 }  // namespace pomdp_crowd_nav

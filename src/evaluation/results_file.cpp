@@ -72,8 +72,8 @@ bool TripKey::operator<(const TripKey& other) const {
          std::tie(other.world, other.pedestrians, other.seed, other.max_speed);
 }
 
-std::map<TripKey, double> readBounds(const std::vector<std::string>& paths) {
-  std::map<TripKey, double> bounds;
+BoundsOfTrips readBounds(const std::vector<std::string>& paths) {
+  BoundsOfTrips bounds;
   for (const std::string& path : paths) {
     const CsvTable table(path);
     requireRows(table);
@@ -82,10 +82,11 @@ std::map<TripKey, double> readBounds(const std::vector<std::string>& paths) {
                         static_cast<int>(table.count(row, table.column("pedestrians"))),
                         static_cast<std::uint64_t>(table.count(row, table.column("seed"))),
                         std::lround(1000.0 * table.number(row, table.column("max_speed_mps")))};
-      const auto bound = table.numberOrNothing(row, table.column("bound_s"));
-      if (!bound) continue;
-      if (*bound <= 0.0) table.fail(row, "bound_s: expected a number above 0");
-      if (!bounds.emplace(key, *bound).second) table.fail(row, "the bound is there twice");
+      const TripBounds trip{table.numberOrNothing(row, table.column("bound_s")),
+                            table.number(row, table.column("free_drive_s"))};
+      if (trip.plan && *trip.plan <= 0.0) table.fail(row, "bound_s: expected a number above 0");
+      if (trip.free_drive <= 0.0) table.fail(row, "free_drive_s: expected a number above 0");
+      if (!bounds.emplace(key, trip).second) table.fail(row, "the bound is there twice");
     }
   }
   return bounds;

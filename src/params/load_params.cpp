@@ -195,7 +195,7 @@ void readNavigationParams(ParamReader& reader, NavigationParams& params) {
 
 void validate(const NavigationParams& params) {
   requireKnownPlanner(params.planner);
-  requireDrives(params.planner, params.planning.model.vehicle.kind);
+  requireDrives(params.planner, params.planning.model.vehicle);
   validate(params.planning);
   requirePositive("search_time", params.search_time);
   requirePositive("controller_frequency", params.controller_frequency);

@@ -10,7 +10,6 @@
 namespace pomdp_crowd_nav {
 namespace {
 
-constexpr double kElement = 1.0;     // [m]
 constexpr double kGoalSlack = 1e-6;  // [m], of the goal's tolerance, for rounding on the way
 constexpr double kSlip = 1e-3;       // [m], clearance that a start in the margin may lose
 constexpr int kMaxTime = 1000;       // elements; later ones are discounted as this one
@@ -33,6 +32,10 @@ void validate(const HybridAstar::Params& p) {
   validate(p.crowd);
 }
 
+double HybridAstar::maxTurn(const VehicleParams& vehicle) {
+  return kElement * maxCurvature(vehicle, vehicle.max_speed);
+}
+
 HybridAstar::HybridAstar(const StaticMap& map, const NavigationField& field, const Params& params)
     : params_(params), map_(map), field_(field), goal_(field.goal()), crowd_(params.crowd) {
   validate(params);
@@ -51,9 +54,10 @@ HybridAstar::HybridAstar(const StaticMap& map, const NavigationField& field, con
 void HybridAstar::addMoves() {
   const bool is_car = params_.vehicle == VehicleKind::kCar;
   const int step = is_car ? 5 : 10;  // [degrees]
-  const int largest = is_car ? 45 : 180;
+  constexpr double kRounding = 1e-9;
+  const int most = static_cast<int>(params_.max_turn / kTurnStep + kRounding);
   headings_ = 360 / step;
-  const int steps = largest / step;
+  const int steps = is_car ? std::min(9, most) : 18;
   // Straight on first, then the smaller turns; -180 degrees is 180 degrees.
   for (int i = 0; i <= 2 * steps; ++i) {
     const int turn = (i % 2 == 1 ? 1 : -1) * ((i + 1) / 2);

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pomdp_crowd_nav/planner/limited_space_planner.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "pomdp_crowd_nav/planner/nearby_pedestrians.h"
 #include "pomdp_crowd_nav/planner/tree_view.h"
@@ -32,6 +35,7 @@ ModelParams modelParams(const PlannerParams& params) {
 HybridAstar::Params pathParams(const PlannerParams& params) {
   HybridAstar::Params path = params.limited_space.path;
   path.vehicle = params.model.vehicle.kind;
+  path.max_turn = HybridAstar::maxTurn(params.model.vehicle);
   path.clearance = params.model.obstacleClearance();
   path.goal_tolerance = params.model.goal_tolerance;
   path.crowd.clearance = params.model.pedestrianClearance();
@@ -64,6 +68,15 @@ void addLine(const Point& to, std::vector<Point>& points) {
 
 }  // namespace
 
+void LimitedSpacePlanner::requireDrivable(const VehicleParams& vehicle) {
+  const double turn = HybridAstar::maxTurn(vehicle);
+  if (vehicle.kind == VehicleKind::kHolonomic || turn >= HybridAstar::kTurnStep) return;
+  throw std::invalid_argument(fmt::format(
+      "max_steering_angle, wheelbase, max_vel_theta{} must allow a car of planner '1d_astar' to "
+      "turn by {:.3f} rad on 1 m at max_vel_trans, got {:.3f}",
+      vehicle.instant_velocity ? "" : ", acc_lim_y", HybridAstar::kTurnStep, turn));
+}
+
 LimitedSpacePlanner::LimitedSpacePlanner(const Task& task, const PlannerParams& params)
     : params_(params),
       model_params_(modelParams(params)),
@@ -74,7 +87,9 @@ LimitedSpacePlanner::LimitedSpacePlanner(const Task& task, const PlannerParams& 
       astar_(task.map, field_, pathParams(params)),
       pedestrian_model_({model_params_.pedestrian_noise * model_params_.step}),
       model_(model_params_, futures_),
-      search_(searchParams(params)) {}
+      search_(searchParams(params)) {
+  requireDrivable(params.model.vehicle);
+}
 
 Decision LimitedSpacePlanner::decide(const Situation& situation, const SearchLimit& limit) {
   const auto start = SearchLimit::Clock::now();
@@ -91,6 +106,7 @@ Decision LimitedSpacePlanner::decide(const Situation& situation, const SearchLim
     rest(situation.vehicle, limit, decision);
   }
   has_tree_ = path_.has_value();
+  decision.path = has_tree_ ? pathToGoal() : std::vector<Point>{situation.vehicle.position};
   ++decisions_;
   decision.wall_time = std::chrono::duration<double>(SearchLimit::Clock::now() - start).count();
   return decision;
@@ -176,6 +192,10 @@ StepMotion LimitedSpacePlanner::motionAlong(const VehicleState& vehicle, float s
   StepMotion motion =
       stepMotion(base, vehicle, vehicle.heading, static_cast<double>(speed), model_params_.step);
   motion.legs = path_->firstLegs(planned_way_);
+  if (motion.legs.empty() && !base.instant_velocity) {
+    const double slowed = speedAfterBrake(base, vehicle.speed, model_params_.step);
+    return stepMotion(base, vehicle, vehicle.heading, slowed, model_params_.step);
+  }
   if (motion.legs.empty()) {
     motion.end_velocity = Point(0.0, 0.0);
     return motion;
@@ -217,11 +237,15 @@ TreeView LimitedSpacePlanner::viewTree(int max_edges) const {
   TreeView view = viewOf(search_.tree(), search_.params(), max_edges,
                          [this](const PathState& state) { return model_.positionAt(state.way); });
   if (view.edges.empty()) return view;
+  view.rollouts.push_back(pathToGoal());
+  return view;
+}
+
+std::vector<Point> LimitedSpacePlanner::pathToGoal() const {
   std::vector<Point> way{path_->positionAt(0.0)};
   addPoints(*path_, way);
   addLine(goal_, way);
-  view.rollouts.push_back(way);
-  return view;
+  return way;
 }
 
 // A search of its own, for this is also asked from other threads.
@@ -229,7 +253,9 @@ std::vector<Point> LimitedSpacePlanner::globalPath(const Point& from) const {
   HybridAstar astar(map_, field_, pathParams(params_));
   const NavigationCell here = field_.at(static_cast<float>(from.x()), static_cast<float>(from.y()));
   const Pose start{from, std::atan2(here.direction_y, here.direction_x)};
-  const HybridAstar::Result found = astar.find(start, {}, destinations_, {});
+  HybridAstar::Limit limit;
+  limit.max_expansions = params_.limited_space.max_expansions;
+  const HybridAstar::Result found = astar.find(start, {}, destinations_, limit);
   std::vector<Point> points{from};
   if (found.outcome != HybridAstar::Outcome::kFound) return points;
   addPoints(found.path, points);

@@ -38,6 +38,8 @@ std::unique_ptr<Planner> makeLimitedSpace(const Task& task, const PlannerParams&
   return std::make_unique<LimitedSpacePlanner>(task, params);
 }
 
+constexpr const char* kLimitedSpace = "1d_astar";
+
 enum class Drives { kHolonomic, kCar, kBoth };
 
 struct Entry {
@@ -70,7 +72,7 @@ const Entry kPlanners[] = {
        constexpr bool kLooksAhead = true;  // a car steers toward where the path leads
        return makeExtendedSpace("fast_marching_square", task, params, kLooksAhead);
      }},
-    {"1d_astar", Drives::kBoth, makeLimitedSpace},
+    {kLimitedSpace, Drives::kBoth, makeLimitedSpace},
 };
 
 }  // namespace
@@ -99,8 +101,12 @@ bool drives(const std::string& planner, VehicleKind kind) {
   return false;
 }
 
-void requireDrives(const std::string& planner, VehicleKind kind) {
-  if (drives(planner, kind)) return;
+void requireDrives(const std::string& planner, const VehicleParams& vehicle) {
+  const VehicleKind kind = vehicle.kind;
+  if (drives(planner, kind)) {
+    if (planner == kLimitedSpace) LimitedSpacePlanner::requireDrivable(vehicle);
+    return;
+  }
   std::string able;
   for (const std::string& name : plannerNames()) {
     if (drives(name, kind)) able += (able.empty() ? "" : ", ") + name;
@@ -117,7 +123,7 @@ std::unique_ptr<Planner> makePlanner(const std::string& name, const Task& task,
   }
   for (const Entry& entry : kPlanners) {
     if (name != entry.name) continue;
-    requireDrives(name, params.model.vehicle.kind);
+    requireDrives(name, params.model.vehicle);
     return entry.make(task, params);
   }
   std::string known;

@@ -82,7 +82,7 @@ void CommandLoop::watchPeople(double now, Drive& drive) const {
   TrackList tracks = drive.inputs.tracks;
   CrowdBelief nobody;
   predictPeople(now - drive.inputs.tracks_at, nobody, tracks);
-  if (!emergency_.reflex(vehicle, tracks)) return;
+  if (!emergency_.reflex(vehicle, tracks, robot.yaw_rate)) return;
   drive.executor.stop();
   drive.reflex_or_miss = StopCause::kEmergency;
   ++drive.counts.sudden_brakes;

@@ -47,8 +47,9 @@ void NavigationDisplay::showDecision(const DecisionReport& report, const Planner
     attended_ = report.decision.attended;
   }
   if (global_plan_.getNumSubscribers() > 0) {
-    global_plan_.publish(
-        toMessage(planner.globalPath(report.situation.vehicle.position), header()));
+    const std::vector<Point>& path = report.decision.path;
+    const Point& here = report.situation.vehicle.position;
+    global_plan_.publish(toMessage(path.empty() ? planner.globalPath(here) : path, header()));
   }
   local_plan_.publish(toMessage(positions(report.decision.plan), header()));
   if (search_tree_.getNumSubscribers() > 0) {

@@ -53,9 +53,8 @@ std::vector<Point> PathService::findPath(const nav_msgs::GetPlan::Request& reque
   navigation.planning.model.upper_bound = UpperBoundKind::kPaper;
   const Task task{*map, goal->position, destinations_, nullptr, map_work_.of(map)};
   const auto planner = makePlanner(navigation.planner, task, navigation.planning);
-  const std::vector<Point> path = planner->globalPath(start->position);
-  reason = whyNoWay(path, goal->position, *map, navigation);
-  return path;
+  reason = whyNoWay(*planner, {start->position, goal->position}, *map, navigation.planning.model);
+  return planner->globalPath(start->position);
 }
 
 }  // namespace pomdp_crowd_nav

@@ -89,7 +89,7 @@ std::string PlannerBuilder::make(const Order& order) {
     if (!reason.empty()) return "failed: " + reason;
     const Task task{*order.map, goal, destinations_, tables_.get(), map_work_.of(order.map)};
     ReadyPlanner made{order.goal, order.map, makePlanner(params.planner, task, params.planning)};
-    reason = whyNoWay(made.planner->globalPath(order.robot), goal, *order.map, params);
+    reason = whyNoWay(*made.planner, {order.robot, goal}, *order.map, params.planning.model);
     if (!reason.empty()) return reason;
     ready_.with([&](auto& ready) { ready = std::move(made); });
     ROS_INFO("planner %s %s after %.2f s", params.planner.c_str(),

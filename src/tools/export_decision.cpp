@@ -22,7 +22,7 @@ using Json = nlohmann::json;
 struct Options {
   std::string world = "scenario_2";
   int pedestrians = 200;
-  std::string planner = "2d_fmm";
+  std::string planner;  // empty: the one of the profile
   std::uint64_t seed = 1;
   int step = 15;
   long max_trials = 200;
@@ -39,9 +39,9 @@ void addOptions(CLI::App& app, Options& options) {
   app.add_option("--pedestrians", options.pedestrians, "Size of the crowd")
       ->check(wholeNumber(0, 10000))
       ->capture_default_str();
-  app.add_option("--planner", options.planner, "Planner that decides")
-      ->check(CLI::IsMember(plannerNames()))
-      ->capture_default_str();
+  app.add_option("--planner", options.planner,
+                 "Planner that decides; without it the one of the profile")
+      ->check(CLI::IsMember(plannerNames()));
   app.add_option("--seed", options.seed, "Seed of the episode")
       ->check(wholeNumber(0, 4294967295))
       ->capture_default_str();
@@ -172,7 +172,7 @@ void run(const Options& options) {
   YamlParamReader reader = openProfile(options.config, profile, options.replaced);
   EpisodeParams params = loadEpisodeParams(reader);
   params.max_trials = options.max_trials;
-  params.navigation.planner = options.planner;
+  if (!options.planner.empty()) params.navigation.planner = options.planner;
   params.simulator.pedestrians = options.pedestrians;
   params.seed = options.seed;
   params.tables = std::make_shared<SharedTables>();
@@ -180,7 +180,7 @@ void run(const Options& options) {
   requireDrivable(world, params);
   Json json = runTo(options, world, params);
   json["world"] = worldOf(world);
-  json["planner"] = options.planner;
+  json["planner"] = params.navigation.planner;
   json["pedestrians"] = options.pedestrians;
   json["seed"] = options.seed;
   const std::string text = json.dump(1) + "\n";

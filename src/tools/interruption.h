@@ -7,7 +7,7 @@
 namespace pomdp_crowd_nav {
 
 // Ctrl-C, SIGTERM and SIGHUP, to be looked for where it is safe to end; a second one ends the
-// program at once.
+// program at once. One that is ignored, as under nohup, stays ignored.
 class Interruption {
  public:
   struct Signal {
@@ -19,7 +19,11 @@ class Interruption {
     struct sigaction action {};
     action.sa_handler = [](int number) { received_ = number; };
     action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
-    for (const int number : {SIGINT, SIGTERM, SIGHUP}) sigaction(number, &action, nullptr);
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+      struct sigaction before {};
+      sigaction(number, nullptr, &before);
+      if (before.sa_handler != SIG_IGN) sigaction(number, &action, nullptr);
+    }
   }
 
   static void throwIfReceived() {

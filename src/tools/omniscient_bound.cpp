@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pomdp_crowd_nav/evaluation/omniscient_bound.h"
 
+#include <deque>
+#include <optional>
+#include <thread>
+
 #include "config_files.h"
 #include "episode_params.h"
 #include "interruption.h"
 #include "option_checks.h"
 #include "pomdp_crowd_nav/evaluation/durable_file.h"
+#include "pomdp_crowd_nav/evaluation/parallel_jobs.h"
 #include "pomdp_crowd_nav/planner/navigation_tables.h"
 #include "progress.h"
 #include "run_tool.h"
@@ -23,6 +28,7 @@ struct Options {
   std::string profile;
   std::string tracks;
   std::string output;
+  int jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 };
 
 void addOptions(CLI::App& app, Options& options) {
@@ -37,6 +43,8 @@ void addOptions(CLI::App& app, Options& options) {
   app.add_option("--seed", options.seed, "Seed of the first crowd; the others follow")
       ->check(wholeNumber(0, 4294967295))
       ->capture_default_str();
+  app.add_option("--jobs", options.jobs, "Crowds at once; without it one on each core")
+      ->check(wholeNumber(1, 256));
   app.add_option("--profile", options.profile,
                  "Name in config/profiles, or a yaml file: the vehicle and its clearances; without "
                  "it paper for the worlds scenario_*, street for the others");
@@ -84,72 +92,81 @@ double freeDriveTime(const World& world, const NavigationParams& navigation,
   return std::max(bound.beelineTime(), start_delay + way / model.vehicle.max_speed);
 }
 
-class Run {
+// A world with its vehicle, and what can be said of it before anybody is there.
+class BoundSetup {
  public:
-  explicit Run(const Options& options)
-      : options_(options),
-        progress_(0, options.worlds.size() * options.pedestrians.size() * options.runs, "crowds") {
-    if (!options.output.empty() && std::filesystem::exists(options.output)) {
-      throw std::runtime_error(
-          fmt::format("--output: cannot write '{}': it exists", options.output));
+  BoundSetup(const Options& options, const std::string& name) : name_(name) {
+    const std::string profile = options.profile.empty() ? profileFor(name) : options.profile;
+    YamlParamReader reader = openProfile(options.config, profile, {});
+    const EpisodeParams episode = loadEpisodeParams(reader);
+    simulator_ = episode.simulator;
+    world_ = loadWorld(configFile(options.config, "worlds", name));
+    if (!options.tracks.empty()) world_.tracks_file = options.tracks;
+    const OmniscientBound::Params params = boundParams(episode.navigation.planning.model);
+    max_speed_ = params.max_speed;
+    bound_.emplace(world_, params);
+    if (!std::isfinite(bound_->emptyDriveTime())) {
+      throw std::runtime_error(fmt::format("{}: no way to the goal", world_.name));
     }
+    free_drive_ = freeDriveTime(world_, episode.navigation, *bound_, params.start_delay);
   }
 
-  // Into the file when all is known, for it takes little time.
-  void run() {
-    for (const std::string& world : options_.worlds) runWorld(world);
-    if (options_.output.empty()) {
-      fmt::print("{}", text_);
-    } else {
-      replaceFile(options_.output, text_);
-    }
+  std::string row(int pedestrians, std::uint64_t seed) const {
+    Simulator::Params simulator = simulator_;
+    simulator.pedestrians = pedestrians;
+    simulator.seed = seed;
+    CrowdHistory people(world_, simulator);
+    const auto plan = bound_->plan(people);
+    return fmt::format("{},{},{},{:.3f},{},{:.3f}\n", name_, pedestrians, seed, max_speed_,
+                       plan ? fmt::format("{:.3f}", plan->arrival) : "", free_drive_);
   }
 
  private:
-  void runWorld(const std::string& name) {
-    const std::string profile = options_.profile.empty() ? profileFor(name) : options_.profile;
-    YamlParamReader reader = openProfile(options_.config, profile, {});
-    const EpisodeParams episode = loadEpisodeParams(reader);
-    const NavigationParams& navigation = episode.navigation;
-    const ModelParams& model = navigation.planning.model;
-    Simulator::Params simulator = episode.simulator;
-    World world = loadWorld(configFile(options_.config, "worlds", name));
-    if (!options_.tracks.empty()) world.tracks_file = options_.tracks;
-    const OmniscientBound::Params params = boundParams(model);
-    const OmniscientBound bound(world, params);
-    if (!std::isfinite(bound.emptyDriveTime())) {
-      throw std::runtime_error(fmt::format("{}: no way to the goal", world.name));
-    }
-    const double free_drive = freeDriveTime(world, navigation, bound, params.start_delay);
-    for (const int pedestrians : options_.pedestrians) {
-      for (int i = 0; i < options_.runs; ++i) {
-        simulator.pedestrians = pedestrians;
-        simulator.seed = options_.seed + static_cast<std::uint64_t>(i);
-        CrowdHistory people(world, simulator);
-        Interruption::throwIfReceived();
-        const auto plan = bound.plan(people);
-        text_ += fmt::format("{},{},{},{:.3f},{},{:.3f}\n", name, pedestrians, simulator.seed,
-                             params.max_speed, plan ? fmt::format("{:.3f}", plan->arrival) : "",
-                             free_drive);
-        progress_.show(++done_);
-      }
-    }
-  }
-
-  const Options& options_;
-  Progress progress_;
-  std::string text_ = "world,pedestrians,seed,max_speed_mps,bound_s,free_drive_s\n";
-  size_t done_ = 0;
+  std::string name_;
+  World world_;
+  Simulator::Params simulator_;
+  double max_speed_ = 0.0;   // [m/s]
+  double free_drive_ = 0.0;  // [s]
+  std::optional<OmniscientBound> bound_;
 };
 
-void run(const Options& options) {
-  Run run(options);
+// The rows of all crowds, in order.
+std::vector<std::string> rowsOf(const Options& options) {
+  std::deque<BoundSetup> setups;  // which stay where they are
+  for (const std::string& world : options.worlds) setups.emplace_back(options, world);
+  const size_t runs = static_cast<size_t>(options.runs);
+  const size_t per_world = options.pedestrians.size() * runs;
+  std::vector<std::string> rows(setups.size() * per_world);
+  Progress progress(0, rows.size(), "crowds");
+  size_t done = 0;
   Interruption::listen();
+  runJobs(rows.size(), options.jobs, [&](size_t i) -> Delivery {
+    Interruption::throwIfReceived();
+    const int pedestrians = options.pedestrians[i % per_world / runs];
+    rows[i] = setups[i / per_world].row(pedestrians, options.seed + i % runs);
+    return [&] { progress.show(++done); };
+  });
+  return rows;
+}
+
+void run(const Options& options) {
+  requireWorlds(options.worlds);
+  requireDifferent("--pedestrians", options.pedestrians);
+  if (!options.output.empty() && std::filesystem::exists(options.output)) {
+    throw std::runtime_error(fmt::format("--output: cannot write '{}': it exists", options.output));
+  }
+  std::string text = "world,pedestrians,seed,max_speed_mps,bound_s,free_drive_s\n";
   try {
-    run.run();
+    for (const std::string& row : rowsOf(options)) text += row;
   } catch (const Interruption::Signal&) {
     fmt::print(stderr, "\nomniscient_bound: interrupted, nothing was written\n");
     throw;
+  }
+  // Into the file when all is known, for it takes little time.
+  if (options.output.empty()) {
+    fmt::print("{}", text);
+  } else {
+    replaceFile(options.output, text);
   }
 }
 

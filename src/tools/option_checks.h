@@ -4,8 +4,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdint>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "pomdp_crowd_nav/params/number_text.h"
 
@@ -31,6 +34,25 @@ inline CLI::Validator positiveNumber() {
     return fmt::format("expected a number above 0, at most {:.0f}, got '{}'", kHighest, text);
   };
   return CLI::Validator(check, "above 0");
+}
+
+// Of an option with several values.
+template <typename T>
+void requireDifferent(const char* option, std::vector<T> values) {
+  std::sort(values.begin(), values.end());
+  const auto twice = std::adjacent_find(values.begin(), values.end());
+  if (twice == values.end()) return;
+  throw std::runtime_error(fmt::format("{}: {} is named twice", option, *twice));
+}
+
+// Names that stand in a cell of a CSV file, each once.
+inline void requireWorlds(const std::vector<std::string>& worlds) {
+  requireDifferent("--worlds", worlds);
+  for (const std::string& world : worlds) {
+    if (world.find_first_of(",\"\n\r") == std::string::npos) continue;
+    throw std::runtime_error(
+        fmt::format("--worlds: '{}' has a character that a CSV file cannot hold", world));
+  }
 }
 
 }  // namespace pomdp_crowd_nav

@@ -4,12 +4,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <map>
-#include <memory>
+#include <optional>
 #include <thread>
 
-#include "config_files.h"
-#include "episode_params.h"
+#include "experiment_setups.h"
 #include "interruption.h"
 #include "option_checks.h"
 #include "pomdp_crowd_nav/evaluation/experiment.h"
@@ -23,7 +21,7 @@ using namespace pomdp_crowd_nav;
 namespace {
 
 struct Options {
-  ExperimentPlan plan{{"scenario_1"}, {100}, {"2d_fmm"}, 1, 1};
+  ExperimentPlan plan{{"scenario_1"}, {100}, {}, 1, 1};
   std::string config = findConfigFolder();
   std::string profile;  // empty: as simulation.launch chooses it
   std::string output;
@@ -43,9 +41,9 @@ void addOptions(CLI::App& app, Options& options) {
   app.add_option("--pedestrians", options.plan.pedestrians, "Sizes of the crowd")
       ->check(wholeNumber(0, 10000))
       ->capture_default_str();
-  app.add_option("--planners", options.plan.planners, "Planners to compare")
-      ->check(CLI::IsMember(plannerNames()))
-      ->capture_default_str();
+  app.add_option("--planners", options.plan.planners,
+                 "Planners to compare; without it the one of the profile")
+      ->check(CLI::IsMember(plannerNames()));
   app.add_option("--runs", options.plan.runs, "Episodes of each combination")
       ->check(wholeNumber(1, 1000000))
       ->capture_default_str();
@@ -80,78 +78,6 @@ void addOptions(CLI::App& app, Options& options) {
       ->needs(output);
 }
 
-// A world with the vehicle and the tuning for it.
-struct Setup {
-  World world;
-  EpisodeParams params;
-};
-
-EpisodeParams withLimits(const Options& options, EpisodeParams params) {
-  params.max_trials = options.max_trials;
-  if (options.search_time > 0.0) {
-    params.max_trials = 0;
-    params.navigation.search_time = options.search_time;
-  }
-  return params;
-}
-
-EpisodeParams paramsOf(const Trial& trial, EpisodeParams params) {
-  params.navigation.planner = trial.planner;
-  params.simulator.pedestrians = trial.pedestrians;
-  params.seed = trial.seed;
-  return params;
-}
-
-ExperimentSettings::WorldSettings settingsOf(const std::string& profile, const Setup& setup,
-                                             const YamlParamReader& reader,
-                                             const std::string& world_file) {
-  const VehicleKind kind = setup.params.navigation.planning.model.vehicle.kind;
-  return {profile, kind == VehicleKind::kCar ? "car" : "holonomic", reader.texts(),
-          YamlParamReader::fromFile(world_file).texts()};
-}
-
-// Everything that can be wrong shows here, before the first result is due.
-std::map<std::string, Setup> loadSetups(const Options& options, ExperimentSettings& settings) {
-  std::map<std::string, Setup> setups;
-  for (const std::string& name : options.plan.worlds) {
-    const std::string profile = options.profile.empty() ? profileFor(name) : options.profile;
-    YamlParamReader reader = openProfile(options.config, profile, options.replaced);
-    const std::string world_file = configFile(options.config, "worlds", name);
-    Setup setup{loadWorld(world_file), withLimits(options, loadEpisodeParams(reader))};
-    if (!options.tracks.empty()) setup.world.tracks_file = options.tracks;
-    setup.params.tables = std::make_shared<SharedTables>();
-    for (const std::string& planner : options.plan.planners) {
-      requireDrivable(setup.world,
-                      paramsOf({name, options.plan.pedestrians[0], planner}, setup.params));
-    }
-    if (options.profile.empty() && profile != "paper") {
-      fmt::print(stderr, "{}: with the profile {}\n", name, profile);
-    }
-    settings.worlds[name] = settingsOf(profile, setup, reader, world_file);
-    setups.emplace(name, std::move(setup));
-  }
-  return setups;
-}
-
-template <typename T>
-void requireDifferent(const char* option, std::vector<T> values) {
-  std::sort(values.begin(), values.end());
-  const auto twice = std::adjacent_find(values.begin(), values.end());
-  if (twice == values.end()) return;
-  throw std::runtime_error(fmt::format("{}: {} is named twice", option, *twice));
-}
-
-void requireDistinctTrials(const ExperimentPlan& plan) {
-  requireDifferent("--worlds", plan.worlds);
-  requireDifferent("--pedestrians", plan.pedestrians);
-  requireDifferent("--planners", plan.planners);
-  for (const std::string& world : plan.worlds) {
-    if (world.find_first_of(",\"\n\r") == std::string::npos) continue;
-    throw std::runtime_error(
-        fmt::format("--worlds: '{}' has a character that a CSV file cannot hold", world));
-  }
-}
-
 // Another result than that of the same episode run to its end does not come out of it.
 EpisodeResult runUnlessInterrupted(const Setup& setup, const Trial& trial) {
   Interruption::throwIfReceived();
@@ -159,58 +85,102 @@ EpisodeResult runUnlessInterrupted(const Setup& setup, const Trial& trial) {
                     [](const EpisodeMoment&) { Interruption::throwIfReceived(); });
 }
 
-void announceInterruption(const Options& options, const ExperimentLog& log, size_t total) {
-  fmt::print(stderr, "run_experiments: interrupted after {} of {} episodes{}\n", log.count(), total,
-             options.output.empty()
-                 ? ""
-                 : "; the same command with --resume goes on in " + options.output);
-}
+class Experiment {
+ public:
+  explicit Experiment(const Options& options)
+      : options_(options),
+        settings_(settingsOf(options)),
+        setups_({options.config, options.profile, options.replaced}, settings_) {
+    // Everything that can be wrong shows here, before the first result is due.
+    setups_.requireAllDrivable(settings_.plan);
+    trials_ = settings_.plan.trials();
+    log_.emplace(ExperimentLog::Files{options.output, options.trails, options.resume}, trials_,
+                 settings_);
+    for (size_t i = 0; i < trials_.size(); ++i) {
+      if (log_->has(i)) continue;
+      indices_.push_back(i);
+      missing_.push_back(trials_[i]);
+    }
+  }
+
+  void run() {
+    sayWhatIsThere();
+    Progress progress(log_->count(), trials_.size(), "episodes");
+    Interruption::listen();
+    try {
+      runTrials(
+          missing_, options_.jobs,
+          [&](const Trial& trial) { return runUnlessInterrupted(setups_.of(trial.world), trial); },
+          [&](size_t i, const EpisodeResult& result) {
+            add(i, result);
+            if (!shows_rows_) progress.show(log_->count());
+          });
+    } catch (const Interruption::Signal&) {
+      progress.endLine();
+      sayHowToGoOn();
+      throw;
+    } catch (...) {
+      progress.endLine();
+      throw;
+    }
+  }
+
+ private:
+  static ExperimentSettings settingsOf(const Options& options) {
+    ExperimentSettings settings;
+    settings.version = PROGRAM_VERSION;
+    settings.plan = options.plan;
+    settings.max_trials = options.search_time > 0.0 ? 0 : options.max_trials;
+    settings.search_time = options.search_time;
+    settings.tracks = options.tracks;
+    settings.replaced = options.replaced;
+    return settings;
+  }
+
+  void add(size_t i, const EpisodeResult& result) {
+    const Setup& setup = setups_.of(missing_[i].world);
+    log_->add(indices_[i], csvRow(missing_[i], result),
+              trailRows(missing_[i], setup.world.start.position,
+                        setup.params.navigation.planning.model.step, result));
+  }
+
+  void sayWhatIsThere() const {
+    for (const std::string& world : settings_.plan.worlds) {
+      const std::string& profile = settings_.worlds.at(world).profile;
+      if (!options_.profile.empty() || profile == "paper") continue;
+      fmt::print(stderr, "{}: with the profile {}\n", world, profile);
+    }
+    if (log_->hasDroppedLine()) {
+      fmt::print(stderr, "{}: dropped an incomplete line at its end\n", options_.output);
+    }
+    if (log_->count() == 0) return;
+    fmt::print(stderr, "{}: {} of {} episodes are there\n", options_.output, log_->count(),
+               trials_.size());
+  }
+
+  void sayHowToGoOn() const {
+    fmt::print(stderr, "run_experiments: interrupted after {} of {} episodes{}\n", log_->count(),
+               trials_.size(),
+               options_.output.empty()
+                   ? ""
+                   : "; the same command with --resume goes on in " + options_.output);
+  }
+
+  const Options& options_;
+  ExperimentSettings settings_;
+  Setups setups_;
+  std::vector<Trial> trials_;
+  std::optional<ExperimentLog> log_;
+  std::vector<size_t> indices_;  // of the trials that are missing
+  std::vector<Trial> missing_;
+  bool shows_rows_ = options_.output.empty() && isatty(STDOUT_FILENO) == 1;
+};
 
 void run(const Options& options) {
-  requireDistinctTrials(options.plan);
-  ExperimentSettings settings{
-      options.plan,        options.search_time > 0.0 ? 0 : options.max_trials,
-      options.search_time, options.tracks,
-      options.replaced,    {}};
-  const std::map<std::string, Setup> setups = loadSetups(options, settings);
-  const std::vector<Trial> trials = options.plan.trials();
-  ExperimentLog log({options.output, options.trails, options.resume}, trials, settings);
-  std::vector<size_t> indices;  // of the trials to run
-  std::vector<Trial> missing;
-  for (size_t i = 0; i < trials.size(); ++i) {
-    if (log.has(i)) continue;
-    indices.push_back(i);
-    missing.push_back(trials[i]);
-  }
-  if (log.hasDroppedLine()) {
-    fmt::print(stderr, "{}: dropped an incomplete line at its end\n", options.output);
-  }
-  if (log.count() > 0) {
-    fmt::print(stderr, "{}: {} of {} episodes are there\n", options.output, log.count(),
-               trials.size());
-  }
-  const bool shows_rows = options.output.empty() && isatty(STDOUT_FILENO) == 1;
-  Progress progress(log.count(), trials.size(), "episodes");
-  Interruption::listen();
-  try {
-    runTrials(
-        missing, options.jobs,
-        [&](const Trial& trial) { return runUnlessInterrupted(setups.at(trial.world), trial); },
-        [&](size_t i, const EpisodeResult& result) {
-          const Setup& setup = setups.at(missing[i].world);
-          log.add(indices[i], csvRow(missing[i], result),
-                  trailRows(missing[i], setup.world.start.position,
-                            setup.params.navigation.planning.model.step, result));
-          if (!shows_rows) progress.show(log.count());
-        });
-  } catch (const Interruption::Signal&) {
-    progress.endLine();
-    announceInterruption(options, log, trials.size());
-    throw;
-  } catch (...) {
-    progress.endLine();
-    throw;
-  }
+  requireWorlds(options.plan.worlds);
+  requireDifferent("--pedestrians", options.plan.pedestrians);
+  requireDifferent("--planners", options.plan.planners);
+  Experiment(options).run();
 }
 
 }  // namespace

@@ -91,13 +91,17 @@ double maxCurvature(const VehicleParams& params) {
   return std::tan(params.max_steering_angle) / params.wheelbase;
 }
 
-double maxArcTurn(const VehicleParams& params, double length, double fastest) {
+double maxCurvature(const VehicleParams& params, double speed) {
   double curvature = maxCurvature(params);
-  if (fastest > 0.0) curvature = std::min(curvature, params.max_yaw_rate / fastest);
-  if (fastest > 0.0 && !params.instant_velocity) {
-    curvature = std::min(curvature, params.lateral_acceleration / (fastest * fastest));
+  if (speed > 0.0) curvature = std::min(curvature, params.max_yaw_rate / speed);
+  if (speed > 0.0 && !params.instant_velocity) {
+    curvature = std::min(curvature, params.lateral_acceleration / (speed * speed));
   }
-  return std::min(params.max_turn_per_step, curvature * length);
+  return curvature;
+}
+
+double maxArcTurn(const VehicleParams& params, double length, double fastest) {
+  return std::min(params.max_turn_per_step, maxCurvature(params, fastest) * length);
 }
 
 Point PathLeg::displacement(double distance) const {
@@ -198,9 +202,17 @@ std::optional<StepMotion> stopAt(const VehicleParams& params, const Point& place
   StepMotion stopped = motion;
   stopped.legs = {*arc};
   stopped.end_heading = wrapAngle(from.heading + arc->turn);
-  const double share = arc->length / motion.legs.front().length;
-  const double speed = share * motion.end_velocity.norm();
-  stopped.start_velocity *= share;
+  double speed = 0.0;
+  if (motion.instant) {
+    const double share = arc->length / motion.legs.front().length;
+    speed = share * motion.end_velocity.norm();
+    stopped.start_velocity *= share;
+  } else {
+    speed = 2.0 * arc->length / motion.duration - from.speed;
+    if (speed < speedAfter(params, from.speed, -params.acceleration * motion.duration)) {
+      return std::nullopt;
+    }
+  }
   stopped.end_velocity = speed * unitVector(stopped.end_heading);
   return stopped;
 }

@@ -117,6 +117,54 @@ TEST(EmergencyOverride, NoReflexForWhoFallsBehindOrWhileAtRest) {
   EXPECT_FALSE(override.reflex(drivingEast(0.0), seeing({10.5, 5.0}, {-1.0, 0.0})));
 }
 
+VehicleParams rampedCar() {
+  VehicleParams car = rampedBase();
+  car.kind = VehicleKind::kCar;
+  return car;
+}
+
+// At 2 m/s and 1 rad/s it is a quarter of a circle of 2 m on by 1.57 s; it could rest in 1.2 s.
+TEST(EmergencyOverride, ARampedCarLooksAlongItsCurve) {
+  const EmergencyOverride override({true, 2.0, 0.5, 0.2}, rampedCar(), 0.5);
+  const VehicleState car = drivingEast(2.0);
+  const auto onCurve = [&](double angle) {
+    return Point(car.position + 2.0 * Point(std::sin(angle), 1.0 - std::cos(angle)));
+  };
+  for (const double side : {1.0, -1.0}) {
+    const auto mirrored = [&](Point place) {
+      place.y() = 5.0 + side * (place.y() - 5.0);
+      return seeing(place);
+    };
+    EXPECT_TRUE(override.reflex(car, mirrored(onCurve(1.2)), side));
+    EXPECT_FALSE(override.reflex(car, mirrored(onCurve(1.2)), 0.0)) << "0.7 m beside the tangent";
+    EXPECT_FALSE(override.reflex(car, mirrored(onCurve(1.2)), -side)) << "on the other side";
+    EXPECT_FALSE(override.reflex(car, mirrored(onCurve(1.5)), side)) << "rests before";
+    EXPECT_FALSE(override.reflex(car, seeing({12.4, 5.0}), side)) << "it turns away in time";
+    EXPECT_TRUE(override.reflex(car, seeing({12.4, 5.0}), 0.0));
+  }
+  EXPECT_FALSE(override.reflex(car, seeing({9.8, 5.0}), 1.0)) << "falls behind";
+}
+
+TEST(EmergencyOverride, OnNearlyNoCurveARampedCarDoesAsOnNone) {
+  const EmergencyOverride override({true, 2.0, 1.2, 0.2}, rampedCar(), 0.5);
+  int braked = 0;
+  for (double x = 7.05; x < 15.0; x += 0.1) {
+    for (double y = 2.05; y < 8.0; y += 0.1) {
+      const TrackList tracks = seeing({x, y}, {-0.3, 0.4});
+      const bool brakes = override.reflex(drivingEast(2.0), tracks).has_value();
+      EXPECT_EQ(override.reflex(drivingEast(2.0), tracks, 1e-7).has_value(), brakes)
+          << x << ' ' << y;
+      braked += brakes ? 1 : 0;
+    }
+  }
+  EXPECT_GT(braked, 100);
+}
+
+TEST(EmergencyOverride, TheYawRateOfAnotherBaseIsNoCurve) {
+  const EmergencyOverride ramped({true, 2.0, 0.5, 0.2}, rampedBase(), 0.5);
+  EXPECT_TRUE(ramped.reflex(drivingEast(2.0), seeing({12.4, 5.0}), 1.0)) << "its body turns";
+}
+
 TEST(EmergencyOverride, AppliedMotionIsWhatTheBaseCanDo) {
   const EmergencyOverride override({}, rampedBase(), 0.5);
   Decision decision;

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 #include <stdlib.h>
+#include <sys/resource.h>
 
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -25,7 +27,8 @@ class ExperimentLogTest : public testing::Test {
     folder_ = folder;
     settings_.plan = {{"w"}, {10}, {"p", "q"}, 4, 1};
     settings_.max_trials = 200;
-    settings_.worlds["w"] = {"paper", "holonomic", {{"search/scenarios", "100"}}, {}};
+    settings_.worlds["w"] = {"paper", "holonomic", {{"search/scenarios", "100"}}, {}, ""};
+    settings_.version = "1.2.3";
     trials_ = settings_.plan.trials();
     ExperimentLog log(files("whole"), trials_, settings_);
     for (size_t i = 0; i < trials_.size(); ++i) add(log, i);
@@ -187,9 +190,108 @@ TEST_F(ExperimentLogTest, RefusesOtherSettings) {
   other = settings_;
   other.plan.planners.pop_back();
   EXPECT_NE(refusal(files("whole", true), other).find("plan/planners/1"), std::string::npos);
+  other = settings_;
+  other.worlds["w"].recording = "7 bytes, 0";
+  EXPECT_NE(refusal(files("whole", true), other).find("worlds/w/recording"), std::string::npos);
   EXPECT_EQ(read("whole.csv"), results_);
   fs::remove(path("whole.csv.settings.json"));
   EXPECT_NE(refusal(files("whole", true), settings_).find("settings.json"), std::string::npos);
+}
+
+TEST_F(ExperimentLogTest, RefusesToGoOnWithAnotherVersionOfTheProgram) {
+  ExperimentSettings other = settings_;
+  other.version = "1.3.0";
+  other.max_trials = 100;
+  EXPECT_NE(refusal(files("whole", true), other)
+                .find("the version of the program was \"1.2.3\" and is \"1.3.0\" now"),
+            std::string::npos);
+  std::string text = read("whole.csv.settings.json");
+  text.replace(text.find("\"version\""), 9, "\"without\"");
+  write("whole.csv.settings.json", text);
+  EXPECT_NE(refusal(files("whole", true), settings_).find("was missing and is \"1.2.3\" now"),
+            std::string::npos);
+  EXPECT_EQ(readSettings(path("whole.csv.settings.json")).version, "") << "but it can be read";
+}
+
+TEST_F(ExperimentLogTest, AFingerprintTellsContentsApart) {
+  write("a.csv", "0.0,1,2.0,3.0\n");
+  write("b.csv", "0.0,1,2.0,3.1\n");
+  write("c.csv", "a");
+  EXPECT_EQ(fingerprintOf(path("a.csv")), fingerprintOf(path("a.csv")));
+  EXPECT_NE(fingerprintOf(path("a.csv")), fingerprintOf(path("b.csv")));
+  EXPECT_EQ(fingerprintOf(path("c.csv")), "1 bytes, af63dc4c8601ec8c") << "the published value";
+  EXPECT_THROW(fingerprintOf(path("none.csv")), std::runtime_error);
+  EXPECT_THROW(fingerprintOf(folder_.string()), std::runtime_error);
+}
+
+// Rows that wait for their turn were written with settings too.
+TEST_F(ExperimentLogTest, RefusesOtherSettingsWhereOnlyWaitingRowsAreLeft) {
+  {
+    ExperimentLog log(files("ahead"), trials_, settings_);
+    add(log, 3);
+  }
+  fs::remove(path("ahead.csv"));
+  ExperimentSettings other = settings_;
+  other.max_trials = 100;
+  EXPECT_NE(refusal(files("ahead", true), other).find("max_trials was 200 and is 100"),
+            std::string::npos);
+  const ExperimentLog log(files("ahead", true), trials_, settings_);
+  EXPECT_TRUE(log.has(3));
+  EXPECT_EQ(log.count(), 1U);
+}
+
+// No file grows beyond `bytes` while it lives, as on a disk that is full.
+class FullDisk {
+ public:
+  explicit FullDisk(size_t bytes) {
+    handler_ = std::signal(SIGXFSZ, SIG_IGN);
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit now{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &now);
+  }
+  ~FullDisk() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int) = nullptr;
+};
+
+// Wherever in the row, in the trail or in what waits for its turn the disk is full.
+TEST_F(ExperimentLogTest, AFailedWriteLeavesFilesThatCanBeGoneOnWith) {
+  const std::vector<size_t> order = {1, 0, 4, 3, 2, 7, 6, 5};
+  int failures = 0;
+  for (size_t bytes = 150; bytes < trails_.size(); bytes += 37) {
+    const std::string name = "full" + std::to_string(bytes);
+    std::vector<size_t> done;
+    {
+      ExperimentLog log(files(name), trials_, settings_);
+      const FullDisk disk(bytes);
+      for (const size_t index : order) {
+        try {
+          add(log, index);
+        } catch (const std::runtime_error&) {
+          ++failures;
+          EXPECT_FALSE(log.has(index)) << "what is not written is not there";
+          break;
+        }
+        done.push_back(index);
+      }
+      EXPECT_EQ(log.count(), done.size());
+    }
+    ExperimentLog log(files(name, true), trials_, settings_);
+    EXPECT_FALSE(log.hasDroppedLine()) << "the torn line was cut off";
+    ASSERT_EQ(log.count(), done.size());
+    for (const size_t index : order) {
+      EXPECT_EQ(log.has(index), std::count(done.begin(), done.end(), index) == 1);
+      if (!log.has(index)) add(log, index);
+    }
+    ASSERT_EQ(read(name + ".csv"), results_) << bytes;
+    ASSERT_EQ(read(name + ".trails.csv"), trails_) << bytes;
+  }
+  EXPECT_GT(failures, 10);
 }
 
 TEST_F(ExperimentLogTest, RefusesAnotherHeaderAndForeignRowsAndMissingTrails) {

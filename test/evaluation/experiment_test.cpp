@@ -154,6 +154,24 @@ TEST(RunTrials, AFailingSinkStopsTheExperiment) {
                std::runtime_error);
 }
 
+TEST(RunTrials, ASinkThatHasFailedReceivesNothingMore) {
+  for (int round = 0; round < 20; ++round) {
+    std::atomic<int> calls{0};
+    std::atomic<int> ended{0};
+    const auto runner = [&](const Trial& trial) {
+      // The second result is there before the first one is delivered.
+      for (++ended; ended < 2;) std::this_thread::yield();
+      return resultOf(trial);
+    };
+    EXPECT_THROW(runTrials(someTrials(50), 4, runner,
+                           [&](size_t, const EpisodeResult&) {
+                             if (++calls == 1) throw std::runtime_error("disk");
+                           }),
+                 std::runtime_error);
+    EXPECT_EQ(calls, 1);
+  }
+}
+
 TEST(RunTrials, NothingToDoIsFine) {
   EXPECT_NO_THROW(runTrials({}, 3, resultOf, [](size_t, const EpisodeResult&) { FAIL(); }));
 }

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "pomdp_crowd_nav/planner/planner_factory.h"
+
 namespace pomdp_crowd_nav {
 namespace {
 
@@ -16,16 +18,22 @@ class NoWay : public testing::Test {
     return StaticMap(Bounds{Point(-50.0, -50.0), Point(50.0, 50.0)}, obstacles);
   }
 
-  NoWay() {
-    params_.planner = "2d_fmm";
-    params_.planning.model.goal_tolerance = 0.5;
-  }
+  NoWay() { params_.model.goal_tolerance = 0.5; }
 
   std::string why(const std::vector<Point>& path) const {
-    return whyNoWay(path, Point(20.0, 0.0), map_, params_);
+    return whyNoWay(path, Point(20.0, 0.0), map_, params_.model);
   }
 
-  NavigationParams params_;
+  // Of the planner's own path past the obstacle.
+  std::string whyOf(const std::string& planner) {
+    params_.model.vehicle.kind =
+        drives(planner, VehicleKind::kCar) ? VehicleKind::kCar : VehicleKind::kHolonomic;
+    const Way way{{0.0, 0.0}, {20.0, 0.0}};
+    const auto made = makePlanner(planner, {map_, way.goal, {{-50.0, -50.0}}}, params_);
+    return whyNoWay(*made, way, map_, params_.model);
+  }
+
+  PlannerParams params_;
   StaticMap map_ = map();
 };
 
@@ -56,9 +64,18 @@ TEST_F(NoWay, RobotInsideAnObstacleMayDriveOut) {
   EXPECT_NE(why({{11.5, 0.0}}), "");
 }
 
-TEST_F(NoWay, BeelineIsNotJudged) {
-  params_.planner = "2d_straight";
-  EXPECT_EQ(why({{0.0, 0.0}, {20.0, 0.0}}), "");
+TEST_F(NoWay, EveryPlannerMayDriveRoundAnObstacle) {
+  for (const std::string& planner : plannerNames()) EXPECT_EQ(whyOf(planner), "") << planner;
+}
+
+TEST_F(NoWay, BehindAWallABeelineIsNotJudgedAndEveryOtherPathIsNone) {
+  StaticMap::Obstacles wall;
+  wall.polygons.push_back({{Point(7.03, -51.0), Point(7.03, 51.0)}, false});
+  map_ = StaticMap(map_.bounds(), wall);
+  for (const std::string& planner : plannerNames()) {
+    const bool is_blind = planner == "2d_straight" || planner == "2d_nhv";
+    EXPECT_EQ(whyOf(planner).empty(), is_blind) << planner;
+  }
 }
 
 }  // namespace

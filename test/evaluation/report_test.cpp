@@ -151,15 +151,40 @@ TEST(Report, TheSettingsNameTheVehicle) {
   ExperimentSettings settings;
   settings.plan.worlds = {"scenario_1"};
   settings.max_trials = 300;
-  settings.worlds["scenario_1"] = {"paper_car", "car", {{"max_vel_trans", "4.0"}}, {}};
+  settings.worlds["scenario_1"] = {"paper_car", "car", {{"max_vel_trans", "4.0"}}, {}, ""};
   ResultsFile results = readResults(file.path());
   results.settings = settings;
-  const std::map<TripKey, double> bounds = {{{"scenario_1", 100, 1, 4000}, 40.0},
-                                            {{"scenario_1", 100, 1, 2000}, 57.0}};
+  const BoundsOfTrips bounds = {{{"scenario_1", 100, 1, 4000}, {40.0, 25.0}},
+                                {{"scenario_1", 100, 1, 2000}, {57.0, 56.0}}};
   const std::string text = writeReport({results}, {}, bounds);
   EXPECT_NE(text.find(": car\n"), std::string::npos) << text;
   EXPECT_NE(text.find("Profile `paper_car`, at most 300 search trials"), std::string::npos) << text;
-  EXPECT_NE(text.find("| 1d_astar | 1 | 10.00 | 1.250 |"), std::string::npos) << text;
+  EXPECT_NE(text.find("| 1d_astar | 1 | 10.00 | 1.250 | 1 | 25.00 | 2.000 |"), std::string::npos)
+      << text;
+}
+
+TEST(Report, EachWorldHasTheVehicleAndTheSpeedOfItsProfile) {
+  const auto rowIn = [](const std::string& world, double time) {
+    return fmt::format("{},7,2d_fmm,1,1,{},0,1.5,0,0,110.0,0.010,0.020,200.0,0\n", world, time);
+  };
+  const TemporaryFile file("file.csv",
+                           kHeader + rowIn("a_street", 30.0) + rowIn("scenario_1", 60.0));
+  ResultsFile results = readResults(file.path());
+  results.settings.emplace();
+  results.settings->worlds["a_street"] = {
+      "street", "holonomic", {{"max_vel_trans", "1.6"}}, {}, ""};
+  results.settings->worlds["scenario_1"] = {"paper", "holonomic", {{"max_vel_trans", "2"}}, {}, ""};
+  const BoundsOfTrips bounds = {{{"a_street", 7, 1, 1600}, {20.0, 15.0}},
+                                {{"a_street", 7, 1, 2000}, {10.0, 10.0}},
+                                {{"scenario_1", 7, 1, 1600}, {10.0, 10.0}},
+                                {{"scenario_1", 7, 1, 2000}, {std::nullopt, 50.0}}};
+  const std::string text = writeReport({results}, {}, bounds);
+  EXPECT_NE(text.find("| a_street | 7 | 2d_fmm | 1 | 10.00 | 1.500 | 1 | 15.00 | 2.000 |"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("| scenario_1 | 7 | 2d_fmm | 0 | – | – | 1 | 10.00 | 1.200 |"),
+            std::string::npos)
+      << text;
 }
 
 TEST(Report, OtherPlannersAndWorldsNeedNoPaper) {
@@ -196,8 +221,15 @@ TEST(Bounds, AreReadOncePerTrip) {
   const std::string header = "world,pedestrians,seed,max_speed_mps,bound_s,free_drive_s\n";
   const TemporaryFile file("file.csv", header + "w,10,1,2.000,57.2,56.9\nw,10,2,2.000,,56.9\n");
   const auto bounds = readBounds({file.path()});
-  ASSERT_EQ(bounds.size(), 1U) << "no way was found for seed 2";
-  EXPECT_EQ(bounds.at({"w", 10, 1, 2000}), 57.2);
+  ASSERT_EQ(bounds.size(), 2U);
+  EXPECT_EQ(bounds.at({"w", 10, 1, 2000}).plan, 57.2);
+  EXPECT_EQ(bounds.at({"w", 10, 1, 2000}).free_drive, 56.9);
+  EXPECT_FALSE(bounds.at({"w", 10, 2, 2000}).plan) << "none was found";
+  for (const char* row :
+       {"w,10,1,2,0,56\n", "w,10,1,2,57,-1\n", "w,10,1,2,57,\n", "w,10,1,2,57\n"}) {
+    const TemporaryFile bad("bad.csv", header + row);
+    EXPECT_THROW(readBounds({bad.path()}), std::runtime_error) << row;
+  }
   const TemporaryFile twice("twice.csv", header + "w,10,1,2,57,56\nw,10,1,2,58,56\n");
   EXPECT_THROW(readBounds({twice.path()}), std::runtime_error);
 }

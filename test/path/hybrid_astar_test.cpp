@@ -143,21 +143,29 @@ TEST_P(EveryVehicle, PathsLeadFromThePoseToTheGoalAndKeepClear) {
 TEST_P(EveryVehicle, KeepsFromPeople) {
   Rig rig(openMap(), {36.3, 17.1}, paramsOf(GetParam()));
   std::mt19937 random(3);
+  int found = 0;
+  int kept_from = 0;  // whose cost is felt
   for (int trial = 0; trial < 10; ++trial) {
     const std::vector<PersonBelief> people = somePeople(random, 6);
     CrowdCost crowd(rig.params.crowd);
     crowd.predict({2.0, 14.0}, people, kDestinations, rig.map.bounds());
     const HybridAstar::Result result = rig.find({{2.0, 14.0}, 0.0}, people);
     if (result.outcome != HybridAstar::Outcome::kFound) continue;
+    ++found;
     double cost = 0.0;
+    double cost_alone = 0.0;
     for (int t = 1; t <= std::lround(result.path.length()); ++t) {
       const Point place = result.path.positionAt(t);
       const double people_cost = crowd.at(place.x(), place.y(), t);
       ASSERT_TRUE(std::isfinite(people_cost));
       cost += std::pow(0.99, t) * (1.0 + people_cost);
+      cost_alone += std::pow(0.99, t);
     }
     EXPECT_NEAR(cost, result.cost, 1e-6);
+    if (cost > cost_alone + 1.0) ++kept_from;
   }
+  EXPECT_GE(found, 8);
+  EXPECT_GE(kept_from, 6);
 }
 
 TEST(HybridAstar, ACarsPathHasNoCornersAndNoSharperTurnsThanItSteers) {
@@ -170,6 +178,37 @@ TEST(HybridAstar, ACarsPathHasNoCornersAndNoSharperTurnsThanItSteers) {
     EXPECT_LE(std::abs(leg.turn), M_PI / 4.0 + 1e-12);
     heading = leg.headingAt(leg.length);
   }
+}
+
+TEST(HybridAstar, ACarThatTurnsWideHasAPathThatDoes) {
+  for (const double turn : {0.09, 0.2, 0.35}) {
+    HybridAstar::Params params = paramsOf(VehicleKind::kCar);
+    params.max_turn = turn;
+    Rig rig(openMap(), {36.3, 17.1}, params);
+    const HybridAstar::Result result = rig.find({{4.2, 14.7}, 0.6});
+    ASSERT_EQ(result.outcome, HybridAstar::Outcome::kFound) << turn;
+    double sharpest = 0.0;
+    for (const PathLeg& leg : result.path.legs()) sharpest = std::max(sharpest, std::abs(leg.turn));
+    EXPECT_LE(sharpest, turn);
+    EXPECT_GT(sharpest, 0.0);
+  }
+}
+
+TEST(HybridAstar, TheTurnOfACarIsThatOfItsTightestLimit) {
+  VehicleParams car;
+  car.kind = VehicleKind::kCar;
+  car.max_speed = 4.0;
+  car.max_yaw_rate = 3.2;
+  EXPECT_NEAR(HybridAstar::maxTurn(car), std::tan(0.67), 1e-12);
+  EXPECT_GE(HybridAstar::maxTurn(car), M_PI / 4.0) << "the paper's car";
+  car.wheelbase = 2.0;
+  EXPECT_NEAR(HybridAstar::maxTurn(car), std::tan(0.67) / 2.0, 1e-12);
+  car.max_yaw_rate = 1.2;
+  EXPECT_NEAR(HybridAstar::maxTurn(car), 0.3, 1e-12);
+  car.lateral_acceleration = 1.6;
+  EXPECT_NEAR(HybridAstar::maxTurn(car), 0.3, 1e-12) << "an instant base has any acceleration";
+  car.instant_velocity = false;
+  EXPECT_NEAR(HybridAstar::maxTurn(car), 0.1, 1e-12);
 }
 
 TEST(HybridAstar, IsNearlyStraightOnAnOpenField) {

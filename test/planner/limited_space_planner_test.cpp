@@ -69,6 +69,28 @@ TEST_F(LimitedSpace, ACarDrivesArcsWithoutCorners) {
   EXPECT_LT(time, 20.0);
 }
 
+TEST_F(LimitedSpace, ADecisionTellsItsPath) {
+  const auto planner = make();
+  const VehicleState robot{{3.0, 14.0}, 0.0, 0.0};
+  const Decision decision = planner->decide({robot, {}}, SearchLimit::trials(20));
+  ASSERT_GE(decision.path.size(), 100U);
+  EXPECT_EQ(decision.path.front(), robot.position);
+  EXPECT_EQ(decision.path.back(), Point(36.0, 20.0));
+  for (size_t i = 1; i < decision.path.size(); ++i) {
+    ASSERT_LE((decision.path[i] - decision.path[i - 1]).norm(), 0.26);
+  }
+  double off = 1e9;
+  const Point end = decision.motion.end().position;
+  for (const Point& place : decision.path) off = std::min(off, (place - end).norm());
+  EXPECT_LE(off, 0.13) << "the motion is on it";
+}
+
+TEST_F(LimitedSpace, TheGlobalPathIsSearchedNoLongerThanADecisions) {
+  EXPECT_EQ(make()->globalPath({3.0, 14.0}).back(), Point(36.0, 20.0));
+  allowNoPath();
+  EXPECT_EQ(make()->globalPath({3.0, 14.0}).size(), 1U);
+}
+
 TEST_F(LimitedSpace, WithoutAnyPathTheRobotRests) {
   allowNoPath();
   const auto planner = make();
@@ -79,6 +101,7 @@ TEST_F(LimitedSpace, WithoutAnyPathTheRobotRests) {
   EXPECT_EQ(decision.motion.end().position, robot.position);
   EXPECT_EQ(decision.motion.end().speed, 0.0);
   EXPECT_EQ(decision.motion.end_heading, robot.heading);
+  EXPECT_EQ(decision.path, std::vector<Point>{robot.position});
   EXPECT_TRUE(planner->viewTree(100).edges.empty());
 }
 

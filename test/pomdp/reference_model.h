@@ -162,7 +162,10 @@ class ReferenceModel {
       const double to_go = to_goal.norm() * angle / std::sin(angle);
       const bool near = atMost(to_go, length);
       const bool can = atMost(std::abs(2.0 * angle), mostOn(to_go));
-      if (stops_at_goal && near && can) {
+      const double slowed = std::max(0.0, robot.speed - v.acceleration * p_.step);
+      const double least = ramped ? p_.step * 0.5 * (robot.speed + slowed) : 0.0;
+      const bool brakes_in_time = least == 0.0 || atMost(least, to_go);
+      if (stops_at_goal && near && can && brakes_in_time) {
         turn = 2.0 * angle;
         length = to_go;
       }

@@ -7,6 +7,8 @@ Run by rostest, which starts the master that the nodes need.
 import json
 import os
 import pathlib
+import re
+import shutil
 import signal
 import subprocess
 import tempfile
@@ -39,7 +41,7 @@ class BadInputTest(unittest.TestCase):
         program = roslib.packages.find_node(PACKAGE, name)[0]
         return subprocess.run([program, *args], cwd=self.folder, stdin=subprocess.DEVNULL,
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-                              timeout=30, check=False, env={**os.environ, **environment})
+                              timeout=60, check=False, env={**os.environ, **environment})
 
     def expect_refusal(self, name, args, *words):
         result = self.run_program(name, *args)
@@ -200,17 +202,35 @@ polygons:
         """Rows without the times that the search took."""
         return [row.split(",")[:11] + row.split(",")[13:] for row in text.splitlines()]
 
-    def test_killed_and_resumed_it_writes_the_same(self):
-        self.run_program("run_experiments", *self.options("whole.csv", "--trails", "whole_t.csv"))
-        whole = (self.folder / "whole.csv").read_text()
+    def begin(self, options, **how):
+        """The program under way, once it has written a row."""
         program = roslib.packages.find_node(PACKAGE, "run_experiments")[0]
+        path = self.folder / options[options.index("--output") + 1]
+
+        def count():
+            files = [path, path.with_name(path.name + ".ahead")]
+            return sum(max(0, file.read_text().count("\n") - 1) for file in files if file.exists())
+        before = count()
+        run = subprocess.Popen([program, *options], cwd=self.folder, stdin=subprocess.DEVNULL,
+                               stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, **how)
+        give_up = time.monotonic() + 60.0
+        while count() <= before and time.monotonic() < give_up and run.poll() is None:
+            time.sleep(0.005)
+        return run
+
+    def test_killed_and_resumed_it_writes_the_same(self):
+        whole_options = self.options("whole.csv", "--trails", "whole_t.csv")
         options = self.options("killed.csv", "--trails", "killed_t.csv", "--resume")
-        for wait in (0.6, 0.9, 1.2):
-            run = subprocess.Popen([program, *options], cwd=self.folder, stdin=subprocess.DEVNULL,
-                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-            time.sleep(wait)
+        for some in (whole_options, options):
+            some[some.index("6")] = "16"
+        self.run_program("run_experiments", *whole_options)
+        whole = (self.folder / "whole.csv").read_text()
+        for _ in range(3):
+            run = self.begin(options)
             run.kill()
-            run.wait()
+            run.communicate()
+            self.assertEqual(run.returncode, -signal.SIGKILL, "it was under way")
+            self.assertLess((self.folder / "killed.csv").read_text().count("\n"), 17, "and not done")
         result = self.run_program("run_experiments", *options)
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(self.timeless((self.folder / "killed.csv").read_text()),
@@ -222,18 +242,68 @@ polygons:
                     '"100"', '"50"')
 
     def test_interrupted_it_says_how_to_go_on(self):
-        program = roslib.packages.find_node(PACKAGE, "run_experiments")[0]
-        for number, status in ((signal.SIGINT, 130), (signal.SIGTERM, 143)):
+        for number, status in ((signal.SIGINT, 130), (signal.SIGTERM, 143), (signal.SIGHUP, 129)):
             options = self.options(f"{status}.csv")
             options[options.index("6")] = "500"
-            run = subprocess.Popen([program, *options], cwd=self.folder,
-                                   stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-                                   stderr=subprocess.PIPE, text=True)
-            time.sleep(2.0)
+            run = self.begin(options)
             run.send_signal(number)
             shown = run.communicate(timeout=30)[1]
             self.assertEqual(run.returncode, status, shown)
             self.assertRegex(shown, r"interrupted after \d+ of 500 episodes; .*--resume")
+
+    def test_signals_that_are_ignored_stay_ignored(self):
+        run = self.begin(self.options("results.csv"), preexec_fn=lambda: [
+            signal.signal(number, signal.SIG_IGN) for number in (signal.SIGHUP, signal.SIGINT)])
+        run.send_signal(signal.SIGHUP)
+        run.send_signal(signal.SIGINT)
+        shown = run.communicate(timeout=60)[1]
+        self.assertEqual(run.returncode, 0, shown)
+        self.assertEqual((self.folder / "results.csv").read_text().count("\n"), 7)
+
+    def test_jobs_change_nothing(self):
+        files = []
+        for jobs in ("1", "4"):
+            options = self.options(f"{jobs}.csv", "--trails", f"{jobs}_t.csv", "--jobs", jobs,
+                                   "--planners", "1d_astar", "2d_prm", "2d_fmm")
+            options[options.index("6")] = "2"
+            result = self.run_program("run_experiments", *options)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            files.append((self.timeless((self.folder / f"{jobs}.csv").read_text()),
+                          (self.folder / f"{jobs}_t.csv").read_text()))
+        self.assertEqual(files[0], files[1])
+        self.assertEqual(len(files[0][0]), 7)
+
+    def test_the_profile_has_a_planner(self):
+        for profile, planner in (("paper_car", "2d_nhv"), ("paper", "2d_fmm")):
+            result = self.run_program("run_experiments", "--config", f"{SHARE}/config", "--profile",
+                                      profile, "--pedestrians", "0", "--max-trials", "1")
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertEqual(result.stdout.splitlines()[1].split(",")[2:5], [planner, "1", "1"])
+        self.expect(["--profile", "paper_car", "--planners", "2d_fmm"], "2d_fmm", "2d_nhv")
+
+    def test_worlds_whose_profiles_have_other_planners(self):
+        config = self.folder / "config"
+        shutil.copytree(f"{SHARE}/config", config)
+        street = config / "profiles/street.yaml"
+        street.write_text(street.read_text().replace("planner: 2d_fmm", "planner: 2d_prm"))
+        self.expect_refusal("run_experiments", ["--config", str(config), "--worlds", "scenario_1",
+                                                "ucy_zara01"], "--planners", "2d_fmm", "2d_prm")
+
+    def test_a_blind_planner_may_drive_among_obstacles(self):
+        for world in ("scenario_2", "scenario_3"):
+            result = self.run_program("run_experiments", "--config", f"{SHARE}/config", "--worlds",
+                                      world, "--profile", "paper_car", "--pedestrians", "0",
+                                      "--max-trials", "1")
+            self.assertEqual(result.returncode, 0, result.stderr)
+
+    def test_other_recorded_people_are_other_settings(self):
+        path = self.write("tracks.csv", TRACKS_HEADER + "0.0,1,2.0,3.0\n0.4,1,2.4,3.0\n")
+        options = ["--worlds", "ucy_zara01", "--tracks", path, "--max-trials", "1", "--output",
+                   "r.csv"]
+        result = self.run_program("run_experiments", "--config", f"{SHARE}/config", *options)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.write("tracks.csv", TRACKS_HEADER + "0.0,1,2.0,3.0\n0.4,1,2.4,3.1\n")
+        self.expect([*options, "--resume"], "worlds/ucy_zara01/recording")
 
 
 class OmniscientBoundTest(BadInputTest):
@@ -248,6 +318,18 @@ class OmniscientBoundTest(BadInputTest):
 
     def test_output_that_is_there(self):
         self.expect(["--output", self.write("bounds.csv", "")], "bounds.csv", "it exists")
+
+    def test_combinations_that_are_named_twice(self):
+        self.expect(["--pedestrians", "100", "100"], "--pedestrians: 100 is named twice")
+        self.expect(["--worlds", "scenario_1", "scenario_1"], "--worlds", "twice")
+
+    def test_jobs_change_nothing(self):
+        rows = [self.run_program("omniscient_bound", "--config", f"{SHARE}/config", "--pedestrians",
+                                 "20", "50", "--runs", "3", "--jobs", jobs).stdout.splitlines()
+                for jobs in ("1", "4")]
+        self.assertEqual(rows[0], rows[1])
+        self.assertEqual([row.split(",")[1:3] for row in rows[0][1:]],
+                         [[people, seed] for people in ("20", "50") for seed in "123"])
 
     def test_world_without_a_way(self):
         text = pathlib.Path(WORLD).read_text() + """
@@ -294,6 +376,17 @@ class ReportExperimentsTest(BadInputTest):
         self.expect([self.write("tracks.csv", TRACKS_HEADER)], "tracks.csv:2", "row")
         self.expect([self.write("tracks.csv", TRACKS_HEADER + "0,1,2,3\n")], "tracks.csv:1",
                     "'world'")
+
+    def test_bounds_that_are_none(self):
+        self.run_program("run_experiments", "--config", f"{SHARE}/config", "--pedestrians", "0",
+                         "--max-trials", "1", "--output", "results.csv")
+        header = "world,pedestrians,seed,max_speed_mps,bound_s,free_drive_s\n"
+        for text, *words in (("", "b.csv:1"), (header, "b.csv:2", "row"),
+                             (header + "w,1,1,2,soon,9\n", "b.csv:2", "bound_s", "'soon'"),
+                             (header + "w,1,1,2,9,-1\n", "b.csv:2", "free_drive_s"),
+                             ("world,seed\nw,1\n", "b.csv:1", "'pedestrians'")):
+            self.expect(["results.csv", "--bound", self.write("b.csv", text)], *words)
+        self.expect(["results.csv", "--bound", "nowhere.csv"], "nowhere.csv")
 
     def test_paper_that_is_none(self):
         self.run_program("run_experiments", "--config", f"{SHARE}/config", "--pedestrians", "0",
@@ -481,6 +574,18 @@ class LaunchTest(unittest.TestCase):
         self.assertIn("/sim_node/robot_radius: 1.0", params, "the profile paper")
         self.assertIn("/sim_node/tracks_file: ''", params)
         self.assertIn("/sim_node/tracks_file: /x.csv", self.params("tracks:=/x.csv"))
+
+    def test_planner(self):
+        def planner(*args):
+            found = re.search(r"^/planner_node/planner: (\w+)$", self.params(*args), re.MULTILINE)
+            return found.group(1)
+        self.assertEqual(planner(), "2d_fmm")
+        self.assertEqual(planner("world:=ucy_zara01"), "2d_fmm")
+        self.assertEqual(planner("planner:=2d_prm"), "2d_prm")
+        self.assertEqual(planner("profile:=paper_car"), "2d_nhv")
+        self.assertEqual(planner("profile:=paper_car", "world:=scenario_2"), "2d_nhv_fm2")
+        self.assertEqual(planner("profile:=paper_car", "world:=scenario_2", "planner:=1d_astar"),
+                         "1d_astar")
 
     def test_goal(self):
         def command(*args):

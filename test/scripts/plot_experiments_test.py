@@ -1,15 +1,24 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Figures are made in each format, and bad input ends with one line and status 2."""
+import contextlib
+import importlib.util
+import io
 import json
+import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SCRIPT = ROOT / "scripts/plot_experiments.py"
+SPEC = importlib.util.spec_from_file_location("plot_experiments", SCRIPT)
+PLOT = importlib.util.module_from_spec(SPEC)
+SPEC.loader.exec_module(PLOT)
 RESULTS = ("world,pedestrians,planner,seed,reached,travel_time_s,unsafe_ticks_0_5m,"
            "mean_search_time_s,stale_paths\n")
 TRAILS = "world,pedestrians,planner,seed,time_s,x_m,y_m\n"
@@ -45,6 +54,16 @@ def decision():
                         "predicted": []}]}
 
 
+@contextlib.contextmanager
+def in_folder(folder):
+    before = os.getcwd()
+    os.chdir(folder)
+    try:
+        yield
+    finally:
+        os.chdir(before)
+
+
 class PlotTest(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -70,11 +89,15 @@ class PlotTest(unittest.TestCase):
             self.assertGreater(len(content), 2000)
             self.assertTrue(content.startswith(MAGIC[pathlib.Path(output).suffix]))
 
+    # Without a program of its own, for it would take most of its time to begin.
     def expect_refusal(self, args, *words):
-        result = self.run_script(*args)
-        self.assertEqual(result.returncode, 2, result.stderr)
-        lines = result.stderr.splitlines()
-        self.assertEqual(len(lines), 1, result.stderr)
+        shown = io.StringIO()
+        with contextlib.redirect_stderr(shown), in_folder(self.folder), \
+                unittest.mock.patch.object(sys, "argv", [str(SCRIPT), *args]):
+            self.assertEqual(PLOT.main(), 2, shown.getvalue())
+        PLOT.plt.close("all")
+        lines = shown.getvalue().splitlines()
+        self.assertEqual(len(lines), 1, shown.getvalue())
         self.assertTrue(lines[0].startswith("plot_experiments.py: "), lines[0])
         for word in words:
             self.assertIn(word, lines[0])
@@ -119,6 +142,34 @@ class PlotTest(unittest.TestCase):
                             "travel_time_s", "'soon'")
         self.expect_refusal(["decision", self.write("d.json", "{"), *out], "d.json:1")
         self.expect_refusal(["decision", self.write("d.json", "{}"), *out], "d.json", "'world'")
+
+    def test_files_that_lack_something(self):
+        out = ("--output", "figure.png")
+        world = (ROOT / "config/worlds/scenario_1.yaml").read_text()
+        for key in ("goal", "start", "bounds"):
+            text = re.sub(rf"^{key}:", "more:", world, flags=re.MULTILINE)
+            path = self.write("w.yaml", text)
+            one = trails().replace("scenario_1", f"./{path}").replace("scenario_3", f"./{path}")
+            self.expect_refusal(["trails", self.write("t.csv", one), *out], "w.yaml", f"'{key}'")
+        for line in ("circles: [[1, 2]]", "circles: 3", "polygons: [{closed: true}]",
+                     "polygons: [[1, 2]]"):
+            self.write("w.yaml", f"{world}\n{line}\n")
+            self.expect_refusal(["trails", "t.csv", *out], "w.yaml", "a world")
+        for part, key in (("robot", "position"), ("robot", "radius"), ("world", "goal"),
+                          ("world", "destinations"), ("world", "bounds")):
+            broken = decision()
+            del broken[part][key]
+            self.expect_refusal(["decision", self.write("d.json", json.dumps(broken)), *out],
+                                "d.json", f"'{key}'")
+        for part, value in (("tree", [{"from": [1, 2]}]), ("tree", [7]), ("people", [[1, 2]]),
+                            ("rollouts", [3]), ("plan", [1]), ("robot", []), ("world", "here")):
+            broken = {**decision(), part: value}
+            self.expect_refusal(["decision", self.write("d.json", json.dumps(broken)), *out],
+                                "d.json", "a decision of export_decision")
+        self.write("r.csv", results())
+        for settings in ([1, 2], {"max_trials": "many"}, {"max_trials": [1]}, "x"):
+            self.write("r.csv.settings.json", json.dumps(settings))
+            self.expect_refusal(["search-time", "r.csv", *out], "r.csv.settings.json", "settings")
 
     def test_what_is_not_in_the_files(self):
         out = ("--output", "figure.png")

@@ -221,6 +221,30 @@ TEST(VehicleTest, ACarStopsAtAPlaceOnItsWay) {
   EXPECT_FALSE(stopAt(paperCar(), {2.0, 1.5}, from, motion)) << "too sharp";
 }
 
+TEST(VehicleTest, ARampedCarStopsOnlyWhereItCanSlowDownSoMuch) {
+  VehicleParams params = paperCar();
+  params.instant_velocity = false;
+  params.acceleration = 2.0;
+  const VehicleState from{{0.0, 0.0}, 0.0, 3.0};
+  const StepMotion motion = stepMotion(params, from, 0.0, 4.0, 0.5);
+  ASSERT_NEAR(motion.legs.front().length, 1.75, 1e-12);
+  // From 3 m/s to 2 m/s in 0.5 s takes 1.25 m, and no less.
+  EXPECT_FALSE(stopAt(params, {0.5, 0.0}, from, motion));
+  EXPECT_FALSE(stopAt(params, {1.24, 0.0}, from, motion));
+  for (const double way : {1.26, 1.5, 1.74}) {
+    const auto stopped = stopAt(params, {way, 0.0}, from, motion);
+    ASSERT_TRUE(stopped) << way;
+    expectNear(stopped->start_velocity, 3.0, 0.0);
+    expectNear(stopped->end().position, way, 0.0);
+    EXPECT_NEAR(stopped->end().speed, 4.0 * way - 3.0, 1e-12);
+    for (double time = 0.0; time < 0.49; time += 0.01) {
+      const double change =
+          stopped->velocityAt(time + 0.01).norm() - stopped->velocityAt(time).norm();
+      EXPECT_LE(std::abs(change), 2.0 * 0.01 + 1e-9) << way << " m, " << time << " s";
+    }
+  }
+}
+
 // A quarter of a circle of radius 2 m, then straight on for 3 m.
 StepMotion roundTheCorner() {
   StepMotion motion;

@@ -29,8 +29,10 @@ class EmergencyOverride {
   // step when that stops the robot, else sudden brake.
   std::optional<Action> replace(const VehicleState& vehicle, const TrackList& tracks) const;
 
-  // Id of a person for whom the robot must brake now, in the middle of a step.
-  std::optional<std::int64_t> reflex(const VehicleState& vehicle, const TrackList& tracks) const;
+  // Id of a person for whom the robot must brake now, in the middle of a step. `yaw_rate` [rad/s]
+  // of a car, which on ramps brakes on the curve that it drives.
+  std::optional<std::int64_t> reflex(const VehicleState& vehicle, const TrackList& tracks,
+                                     double yaw_rate = 0.0) const;
 
   // `motion` and `plan` of a decision whose action is replaced.
   void apply(const Action& action, const VehicleState& vehicle, Decision& decision) const;

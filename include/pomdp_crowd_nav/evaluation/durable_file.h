@@ -20,13 +20,14 @@ class DurableFile {
   DurableFile& operator=(DurableFile&&) = delete;
   ~DurableFile();
 
-  std::string read() const;  // from its beginning
-  void append(const std::string& text);
+  std::string read() const;              // from its beginning
+  void append(const std::string& text);  // all of it, or nothing where that fails
   void cutTo(std::uint64_t bytes);
 
  private:
   DurableFile(const std::string& path, int descriptor) : path_(path), descriptor_(descriptor) {}
   static DurableFile openWith(const std::string& path, int flags);
+  void write(const std::string& text);
 
   std::string path_;
   int descriptor_;

@@ -36,7 +36,8 @@ using TrialRunner = std::function<EpisodeResult(const Trial&)>;
 using ResultSink = std::function<void(size_t, const EpisodeResult&)>;
 
 // Runs the trials on `jobs` threads, in order. An exception of a runner or the sink stops the
-// experiment and is thrown on; results that came before it have been delivered.
+// experiment and is thrown on; results that came before it have been delivered. A sink that has
+// thrown receives nothing more.
 void runTrials(const std::vector<Trial>& trials, int jobs, const TrialRunner& runner,
                const ResultSink& sink);
 

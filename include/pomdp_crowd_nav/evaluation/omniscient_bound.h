@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "pomdp_crowd_nav/evaluation/bound_lattice.h"
 #include "pomdp_crowd_nav/evaluation/crowd_history.h"
-#include "pomdp_crowd_nav/prior/line_of_sight.h"
 
 namespace pomdp_crowd_nav {
 
@@ -18,10 +18,11 @@ namespace pomdp_crowd_nav {
 // Places are those of a lattice along the line from start to goal; from each of them ways lead in
 // many directions, and straight to the goal.
 //
-// The plan that is found can be driven, so the best one is no slower; it is no faster than the
-// drive without people. Of the paper's robot it counts the step at rest in which an episode begins
-// and what the first speeding up costs, but not that after a rest, nor that trips end at whole
-// steps; of a car not the radius of its turns.
+// The plan that is found can be driven, so the best one is no slower; a trip off the lattice or at
+// other speeds may in principle be faster. None is faster than the drive without people. Of the
+// paper's robot it counts the step at rest in which an episode begins and what the first speeding
+// up costs, but not that after a rest, nor that trips end at whole steps; of a car not the radius
+// of its turns.
 class OmniscientBound {
  public:
   struct Params {
@@ -59,37 +60,15 @@ class OmniscientBound {
   double emptyDriveTime() const;
 
  private:
-  struct Offset {
-    int columns = 0, rows = 0;
-    Point way{0.0, 0.0};  // [m]
-    double length = 0.0;  // [m]
-  };
   class Search;
 
-  Point place(size_t node) const;
-  std::optional<size_t> neighbour(size_t node, const Offset& offset) const;
-  bool isOpen(size_t node, const Offset& offset, size_t other) const;
-  void layLattice();
-  void listOffsets();
-  void measureWays();
-  double distanceToGoal(const Point& place) const;  // [m], straight, to within the tolerance
-  Point arrivalFrom(const Point& place) const;      // where a straight drive to it ends
   bool isClear(const Point& from, const Point& to, double departure, CrowdHistory& people) const;
   Plan pulledStraight(const Plan& plan, CrowdHistory& people) const;
   std::optional<Leg> earliestLeg(const Point& from, const Point& to, double ready,
                                  double latest_arrival, CrowdHistory& people) const;
 
   Params params_;
-  LineOfSight sight_;
-  Point start_, goal_;
-  Point along_, across_;  // unit vectors of the lattice
-  int columns_ = 0, rows_ = 0;
-  Point corner_;  // [m], of node (0, 0)
-  size_t start_node_ = 0;
-  std::vector<Offset> offsets_;
-  std::vector<float> clearances_;  // [m], per node; negative where the robot must not be
-  std::vector<char> sees_goal_;
-  std::vector<double> ways_;  // [m], per node, to the goal without people; infinite without a way
+  BoundLattice lattice_;
 };
 
 }  // namespace pomdp_crowd_nav

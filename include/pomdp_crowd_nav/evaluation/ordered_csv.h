@@ -25,6 +25,9 @@ class OrderedCsv {
   // with another header or with lines that belong to none of the blocks or out of order.
   OrderedCsv(const std::string& path, const Layout& layout, bool resume);
 
+  // Whether there is a whole line in the file, or in the one of what waits for its turn.
+  static bool holdsLines(const std::string& path);
+
   // To standard output, where nothing can be resumed.
   explicit OrderedCsv(const Layout& layout);
 
@@ -50,8 +53,5 @@ class OrderedCsv {
   std::map<size_t, std::string> ahead_;  // blocks that wait for it
   bool has_dropped_line_ = false;
 };
-
-// Whether there is a file with a whole line in it.
-bool holdsLines(const std::string& path);
 
 }  // namespace pomdp_crowd_nav

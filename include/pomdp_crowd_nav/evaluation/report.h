@@ -56,15 +56,18 @@ Pairs comparePairs(const Cell& cell, const Cell& baseline);
 
 // How far from what was possible.
 struct BoundDistance {
-  int count = 0;
   Summary difference;  // [s], travel time less bound
   Summary ratio;       // travel time over bound
 };
-BoundDistance compareWithBounds(const Cell& cell, const std::map<TripKey, double>& bounds,
-                                long max_speed);
+struct BoundDistances {
+  BoundDistance plan;
+  BoundDistance free_drive;
+};
+// `max_speed` [mm/s] of the robot.
+BoundDistances compareWithBounds(const Cell& cell, const BoundsOfTrips& bounds, long max_speed);
 
 // Everything in Markdown, a section for each results file.
 std::string writeReport(const std::vector<ResultsFile>& files, const PaperResults& paper,
-                        const std::map<TripKey, double>& bounds);
+                        const BoundsOfTrips& bounds);
 
 }  // namespace pomdp_crowd_nav

@@ -39,7 +39,11 @@ struct ResultsFile {
 // a file twice, and none in none of its rows.
 ResultsFile readResults(const std::string& path);
 
-// The omniscient bound [s] of each trip, of files that omniscient_bound wrote.
+// What was possible on a trip, of files that omniscient_bound wrote.
+struct TripBounds {
+  std::optional<double> plan;  // [s], of the omniscient plan, where one was found
+  double free_drive = 0.0;     // [s], no trip takes less
+};
 struct TripKey {
   std::string world;
   int pedestrians = 0;
@@ -48,6 +52,7 @@ struct TripKey {
 
   bool operator<(const TripKey& other) const;
 };
-std::map<TripKey, double> readBounds(const std::vector<std::string>& paths);
+using BoundsOfTrips = std::map<TripKey, TripBounds>;
+BoundsOfTrips readBounds(const std::vector<std::string>& paths);
 
 }  // namespace pomdp_crowd_nav

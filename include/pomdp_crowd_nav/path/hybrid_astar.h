@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -17,7 +18,8 @@ namespace pomdp_crowd_nav {
 // Hybrid A* over place and heading (paper, section LS planner; Dolgov et al. 2008): places are
 // continuous, one node is kept for each cell of x, y and heading. An element of the path is 1 m
 // long. A holonomic base turns in place by a multiple of 10 degrees and drives straight; a car
-// drives an arc on which its heading changes by -45 to 45 degrees in steps of 5.
+// drives an arc on which its heading changes by a multiple of 5 degrees, 45 at most and no more
+// than it can.
 //
 //   cost of a path  sum over its elements t of lambda^t (1 + C_st + C_ped)
 //   order of nodes  least cost so far + way to the goal - heading_weight cos(heading off the way)
@@ -31,6 +33,7 @@ class HybridAstar {
  public:
   struct Params {
     VehicleKind vehicle = VehicleKind::kHolonomic;
+    double max_turn = M_PI / 4;   // [rad], of a car on an element
     double cell = 0.5;            // [m], of x and y
     double clearance = 3.0;       // [m], to obstacles, D_obs + L
     double goal_tolerance = 1.0;  // [m], D_g
@@ -39,6 +42,9 @@ class HybridAstar {
     double heading_weight = 10.0;
     CrowdCost::Params crowd;
   };
+
+  static constexpr double kElement = 1.0;                // [m]
+  static constexpr double kTurnStep = 5.0 * M_PI / 180;  // [rad], of a car
 
   using Clock = std::chrono::steady_clock;
   struct Limit {
@@ -57,6 +63,9 @@ class HybridAstar {
     double cost = 0.0;
     long expansions = 0;
   };
+
+  // Of a car on an element at every speed [rad].
+  static double maxTurn(const VehicleParams& vehicle);
 
   // `field`: the way to the goal and the clearance, of the map and the goal; it must outlive the
   // search. Throws std::invalid_argument when a parameter is out of range.

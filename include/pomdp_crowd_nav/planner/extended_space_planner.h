@@ -24,6 +24,7 @@ class ExtendedSpacePlanner : public Planner {
   NavigationCell guidanceAt(const Point& place) const override {
     return field_.at(static_cast<float>(place.x()), static_cast<float>(place.y()));
   }
+  bool pathAvoidsObstacles() const override { return !field_.isStraightLine(); }
 
  private:
   StepMotion motionOf(const Action& action, const VehicleState& vehicle) const;

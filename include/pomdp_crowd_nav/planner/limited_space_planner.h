@@ -17,10 +17,14 @@ namespace pomdp_crowd_nav {
 // all the robot rests.
 //
 // A holonomic base that takes any velocity at once and a car drive along the path itself. A
-// holonomic base with ramps pursues it, and slows down where it cannot turn as the path does.
+// holonomic base with ramps pursues it, and slows down where it cannot turn as the path does. A
+// path bends no more than the car can at full speed.
 class LimitedSpacePlanner : public Planner {
  public:
   LimitedSpacePlanner(const Task& task, const PlannerParams& params);
+
+  // Throws std::invalid_argument for a car that can hardly turn at full speed.
+  static void requireDrivable(const VehicleParams& vehicle);
 
   Decision decide(const Situation& situation, const SearchLimit& limit) override;
   TreeView viewTree(int max_edges) const override;
@@ -39,6 +43,7 @@ class LimitedSpacePlanner : public Planner {
   void rest(const VehicleState& vehicle, const SearchLimit& limit, Decision& decision) const;
   StepMotion motionAlong(const VehicleState& vehicle, float speed) const;
   StepMotion pursuit(const VehicleState& vehicle, float speed) const;
+  std::vector<Point> pathToGoal() const;  // the present path and on to the goal
   std::vector<VehicleState> planFrom(const VehicleState& vehicle, const StepMotion& motion,
                                      const std::vector<Action>& actions) const;
 

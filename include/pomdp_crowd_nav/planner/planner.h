@@ -50,8 +50,11 @@ struct Situation {
 
 struct Decision {
   Action action;
-  StepMotion motion;                   // what the action does in the next step
-  std::vector<VehicleState> plan;      // states at the steps of the planned branch, from the start
+  StepMotion motion;               // what the action does in the next step
+  std::vector<VehicleState> plan;  // states at the steps of the planned branch, from the start
+  // The way to the goal along which speed was searched, the place alone where there was none; empty
+  // where heading was searched too.
+  std::vector<Point> path;
   std::vector<std::int64_t> attended;  // ids of the people whose futures were searched
   SearchStatistics search;
   bool has_fresh_path = true;  // false: drives on along an older one, or rests for want of any
@@ -91,6 +94,9 @@ class Planner {
 
   // The same in brief: direction and length of the way on from a place.
   virtual NavigationCell guidanceAt(const Point& place) const = 0;
+
+  // False where that path is the beeline, of whatever stands in its way only the search knows.
+  virtual bool pathAvoidsObstacles() const { return true; }
 };
 
 }  // namespace pomdp_crowd_nav

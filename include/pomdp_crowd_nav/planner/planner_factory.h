@@ -32,8 +32,9 @@ std::vector<std::string> plannerNames();
 // Whether a planner is made for a kind of vehicle.
 bool drives(const std::string& planner, VehicleKind kind);
 
-// Throws std::invalid_argument unless it is, listing those that are.
-void requireDrives(const std::string& planner, VehicleKind kind);
+// Throws std::invalid_argument unless it is, listing those that are, or where that vehicle turns
+// too wide for the planner.
+void requireDrives(const std::string& planner, const VehicleParams& vehicle);
 
 // Throws std::invalid_argument for an unknown name (listing the known), a planner for another
 // vehicle, a parameter out of range, and a goal that is off the map or inside an obstacle.

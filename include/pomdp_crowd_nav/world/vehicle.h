@@ -63,6 +63,9 @@ double turnToward(double heading, double desired, double max_chord);
 // Curvature of a car's tightest turn [1/m].
 double maxCurvature(const VehicleParams& params);
 
+// The same at a speed [m/s], for which there may be too little yaw rate or lateral acceleration.
+double maxCurvature(const VehicleParams& params, double speed);
+
 // Largest change of heading of a car on an arc that takes no longer than a step [rad]; neither of
 // the speeds at its ends [m/s] may ask for more yaw rate or lateral acceleration than there is.
 double maxArcTurn(const VehicleParams& params, double length, double fastest);
@@ -106,7 +109,8 @@ StepMotion stepMotion(const VehicleParams& params, const VehicleState& from, dou
 std::optional<PathLeg> arcTo(const VehicleState& from, const Point& place);
 
 // The same motion, but on the arc to `place`, where it ends, if that is on the way: no farther than
-// the car gets in the step and not too sharp a turn.
+// the car gets in the step, not too sharp a turn and, of a car on ramps, no more to slow down than
+// by `acceleration`.
 std::optional<StepMotion> stopAt(const VehicleParams& params, const Point& place,
                                  const VehicleState& from, const StepMotion& motion);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pomdp_crowd_nav/pomdp/step_kernel.h"
+#include "pomdp_crowd_nav/pomdp/step_constants.h"
 
 #include <algorithm>
 
