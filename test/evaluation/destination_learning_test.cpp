@@ -5,7 +5,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 #include <random>
 
 #include "../recordings.h"
@@ -112,14 +112,14 @@ TEST(DestinationLearning, ManyWalksAllOverTheFieldTakeNoMinute) {
   std::vector<TrackSample> recording;
   std::mt19937 random(1);
   std::uniform_real_distribution<double> place(0.0, 100.0);
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < 5000; ++i) {
     addWalk(i, 0.1 * i, 1.0, {place(random), place(random)}, {place(random), place(random)},
             recording);
   }
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();  // of the processor
   learnDestinations(inOrder(recording), {});
-  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-  EXPECT_LT(time.count(), 60.0);
+  const double time = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  EXPECT_LT(time, 30.0);
 }
 
 TEST(DestinationLearning, NamesAWrongParameter) {
