@@ -40,7 +40,7 @@ class MapTest : public testing::Test {
       return age >= 0.0 && age < (ros::WallTime::now() - sent).toSec();
     })) << "the map did not arrive";
     client_.send(35.0, 10.0);
-    ASSERT_TRUE(client_.waitForMotion(60.0, 0.95 * kTopSpeed)) << client_.status().stop_cause;
+    ASSERT_TRUE(client_.waitForMotion(90.0, 0.95 * kTopSpeed)) << client_.status().stop_cause;
   }
 
   void onOdometry(const nav_msgs::Odometry& odometry) {
@@ -81,19 +81,20 @@ TEST_F(MapTest, SameMapAgainChangesNothing) {
   EXPECT_GT(commands.reading().least_speed, 0.3);
 }
 
-// The large field keeps the planner for it from standing before the robot does.
+// Walls all round the robot, so that there is nothing to do but to rest before them.
 TEST_F(MapTest, ObstacleRightAheadInANewMapIsStoppedFor) {
-  driveOn(kLargeField);
-  const double face = place_.x() + 2.2;
-  map_.add(Point(face, 8.0), Point(face + 1.0, 12.0));
+  driveOn(kSmallField);
+  constexpr double kAhead = 2.0, kThick = 0.3;  // [m]
+  const Point near = place_ - Point(3.0, 3.0), far = place_ + Point(kAhead, 3.0);
+  map_.add(Point(far.x(), near.y()), Point(far.x() + kThick, far.y()));
+  map_.add(Point(near.x(), near.y()), Point(near.x() + kThick, far.y()));
+  map_.add(near, Point(far.x(), near.y() + kThick));
+  map_.add(Point(near.x(), far.y()), Point(far.x() + kThick, far.y() + kThick));
   map_.publish();
-  expectRest({"map republished, obstacle right ahead", 3.2}, [this] { return isAtRest(); });
-  EXPECT_GT(face - place_.x(), 0.5) << "it came nearer than its radius";
-  EXPECT_TRUE(client_.waitForMotion(60.0)) << "round the obstacle: " << client_.status().stop_cause;
-  client_.waitUntil(2.0, [] { return false; });
-  const bool touches =
-      place_.x() > face - 0.5 && place_.x() < face + 1.5 && std::abs(place_.y() - 10.0) < 2.5;
-  EXPECT_FALSE(touches);
+  expectRest({"map republished, obstacle right ahead", 2.5}, [this] { return isAtRest(); });
+  EXPECT_GE(far.x() - place_.x(), 0.5) << "it came nearer than its radius";
+  ASSERT_TRUE(client_.waitForEnd(20.0));
+  EXPECT_NE(client_.text().find("no way to the goal"), std::string::npos) << client_.text();
 }
 
 TEST_F(MapTest, GoalInsideAnObstacleOfANewMapFails) {
