@@ -16,6 +16,7 @@ namespace {
 constexpr double kPathStep = 0.25;      // [m], between points of a path that is shown
 constexpr double kOnPath = 1e-6;        // [m], of where the last step should have ended
 constexpr double kFarOffPath = 0.5;     // [m], a path so far away is dropped
+constexpr double kOffHeading = 0.2;     // [rad], of a car, which cannot get onto such a path
 constexpr double kPursuedAhead = 0.5;   // [m], beyond the end of the step
 constexpr double kReachableTurn = 0.1;  // [rad], a turn that falls short by more is too sharp
 
@@ -134,7 +135,10 @@ void LimitedSpacePlanner::dropDrivenPath(const VehicleState& vehicle) {
     const ModelParams& model = params_.model;
     driven = path_->nearestTo(vehicle.position, model.vehicle.max_speed * model.step + kFarOffPath);
   }
-  if ((path_->positionAt(driven) - vehicle.position).norm() > kFarOffPath) {
+  const double turned = wrapAngle(path_->headingAt(driven) - vehicle.heading);
+  const bool looks_away =
+      params_.model.vehicle.kind == VehicleKind::kCar && std::abs(turned) > kOffHeading;
+  if (looks_away || (path_->positionAt(driven) - vehicle.position).norm() > kFarOffPath) {
     path_.reset();
   } else {
     path_ = path_->from(driven);
@@ -260,6 +264,10 @@ std::vector<Point> LimitedSpacePlanner::globalPath(const Point& from) const {
   if (found.outcome != HybridAstar::Outcome::kFound) return points;
   addPoints(found.path, points);
   addLine(goal_, points);
+  // A car's arc along the border may bulge a little beyond it.
+  const Bounds& bounds = map_.bounds();
+  if (!bounds.contains(from)) return points;
+  for (Point& point : points) point = point.cwiseMax(bounds.min).cwiseMin(bounds.max);
   return points;
 }
 

@@ -297,12 +297,13 @@ polygons:
             self.assertEqual(result.returncode, 0, result.stderr)
 
     def test_other_recorded_people_are_other_settings(self):
-        path = self.write("tracks.csv", TRACKS_HEADER + "0.0,1,2.0,3.0\n0.4,1,2.4,3.0\n")
+        rows = "0.0,1,2.0,3.0\n0.0,10,5.0,5.0\n0.4,1,2.4,3.0\n0.4,10,5.4,5.0\n"
+        path = self.write("tracks.csv", TRACKS_HEADER + rows)
         options = ["--worlds", "ucy_zara01", "--tracks", path, "--max-trials", "1", "--output",
                    "r.csv"]
         result = self.run_program("run_experiments", "--config", f"{SHARE}/config", *options)
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.write("tracks.csv", TRACKS_HEADER + "0.0,1,2.0,3.0\n0.4,1,2.4,3.1\n")
+        self.write("tracks.csv", TRACKS_HEADER + rows.replace("2.4,3.0", "2.4,3.1"))
         self.expect([*options, "--resume"], "worlds/ucy_zara01/recording")
 
 

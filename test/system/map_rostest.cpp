@@ -60,9 +60,10 @@ class MapTest : public testing::Test {
 
 TEST_F(MapTest, RepublishedMapDoesNotStopTheRobot) {
   driveOn(kLargeField);
-  const auto republish = [this] {
-    for (int i = 0; i < 8; ++i) {
-      map_.add(Point(20.0 + i, 30.0), Point(20.5 + i, 31.0));
+  int boxes = 0;
+  const auto republish = [&] {
+    for (int i = 0; i < 8; ++i, ++boxes) {
+      map_.add(Point(20.0 + boxes, 30.0), Point(20.5 + boxes, 31.0));
       map_.publish();
       client_.waitUntil(1.0, [] { return false; });
     }
@@ -149,7 +150,7 @@ TEST_F(MapTest, GoalPreemptedFiftyTimes) {
   const auto is_over = [](ActionClient::GoalHandle& handle) {
     return handle.getCommState() == actionlib::CommState::DONE;
   };
-  for (size_t i = 0; i < 50; ++i) {
+  for (size_t i = 0; i + 1 < handles.size(); ++i) {
     ASSERT_TRUE(client_.waitUntil(2.0, [&] { return is_over(handles[i]); })) << i;
     EXPECT_EQ(handles[i].getTerminalState().state_, actionlib::TerminalState::PREEMPTED) << i;
     EXPECT_EQ(handles[i].getTerminalState().getText(), "preempted by a newer goal") << i;
