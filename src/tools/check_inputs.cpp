@@ -12,6 +12,7 @@
 #include "option_checks.h"
 #include "pomdp_crowd_nav/ros/message_gate.h"
 #include "pomdp_crowd_nav/ros/odometry_input.h"
+#include "run_tool.h"
 
 namespace pomdp_crowd_nav {
 namespace {
@@ -222,17 +223,11 @@ int main(int argc, char** argv) {
       "Listens to the inputs of planner_node, with the same remappings, and says what is missing");
   app.add_option("--duration", options.duration, "[s] of listening")->check(positiveNumber());
   app.add_option("--node", options.node, "node whose parameters name frames and age limits");
-  try {
-    app.parse(argc, argv);
+  return runTool("check_inputs", app, argc, argv, [&] {
     if (!ros::master::check()) {
-      std::cerr << "check_inputs: no ROS master answers at " << ros::master::getURI() << std::endl;
+      fmt::print(stderr, "check_inputs: no ROS master answers at {}\n", ros::master::getURI());
       return 1;
     }
     return InputChecker(options).check() ? 0 : 1;
-  } catch (const CLI::CallForHelp& help) {
-    return app.exit(help);
-  } catch (const std::exception& error) {
-    std::cerr << "check_inputs: " << error.what() << std::endl;
-    return 2;
-  }
+  });
 }

@@ -10,6 +10,7 @@
 #include "pomdp_crowd_nav/evaluation/durable_file.h"
 #include "pomdp_crowd_nav/ros/bag_tracks.h"
 #include "progress.h"
+#include "run_tool.h"
 
 using namespace pomdp_crowd_nav;
 
@@ -85,14 +86,8 @@ int main(int argc, char** argv) {
   CLI::App app{"Finds out from recorded people where they come from and go to."};
   Options options;
   addOptions(app, options);
-  try {
-    app.parse(argc, argv);
+  return runTool("learn_destinations", app, argc, argv, [&] {
     run(options);
-  } catch (const CLI::CallForHelp& help) {
-    return app.exit(help);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "learn_destinations: {}\n", error.what());
-    return 2;
-  }
-  return 0;
+    return 0;
+  });
 }
