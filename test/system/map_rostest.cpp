@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kTopSpeed = 1.0;      // [m/s], of the profile
 constexpr double kBraking = 1.0;       // [s], from top speed to rest
+constexpr double kWatchdog = 0.5;      // [s], of a base
 constexpr double kReaction = 0.5;      // [s], of messages, a command period and a busy machine
 constexpr double kSmallField = 40.0;   // [m]
 constexpr double kLargeField = 200.0;  // [m], 2000 x 2000 cells
@@ -24,11 +25,24 @@ class CommandWatch {
   CommandWatch() { subscriber_ = node_.subscribe("cmd_vel", 100, &CommandWatch::onCommand, this); }
 
   void begin() {
-    longest_gap_ = 0.0;
+    gaps_.clear();
     least_speed_ = kTopSpeed;
     last_ = ros::WallTime();
   }
-  double longestGap() const { return longest_gap_; }  // [s]
+  double longestGap() const { return *std::max_element(gaps_.begin(), gaps_.end()); }  // [s]
+  // Of the gaps that are longer than two periods, of a machine that may have other work.
+  double lateShare() const {
+    const auto late =
+        std::count_if(gaps_.begin(), gaps_.end(), [](double gap) { return gap > 0.1; });
+    return static_cast<double>(late) / static_cast<double>(gaps_.size());
+  }
+  void expectNoGap() const {
+    ASSERT_FALSE(gaps_.empty());
+    EXPECT_LT(longestGap(), kWatchdog);
+    testing::Test::RecordProperty("longest_gap_s", fmt::format("{:.3f}", longestGap()));
+    testing::Test::RecordProperty("late_share", fmt::format("{:.3f}", lateShare()));
+    testing::Test::RecordProperty("least_speed", fmt::format("{:.2f}", leastSpeed()));
+  }
   double leastSpeed() const { return least_speed_; }  // [m/s]
 
  private:
@@ -36,14 +50,14 @@ class CommandWatch {
     const geometry_msgs::Twist& command = *event.getMessage();
     least_speed_ = std::min(least_speed_, std::hypot(command.linear.x, command.linear.y));
     const ros::WallTime now = ros::WallTime::now();
-    if (!last_.isZero()) longest_gap_ = std::max(longest_gap_, (now - last_).toSec());
+    if (!last_.isZero()) gaps_.push_back((now - last_).toSec());
     last_ = now;
   }
 
   ros::NodeHandle node_;
   ros::Subscriber subscriber_;
   ros::WallTime last_;
-  double longest_gap_ = 0.0;
+  std::vector<double> gaps_;  // [s], between commands
   double least_speed_ = 0.0;
 };
 
@@ -71,7 +85,7 @@ class MapTest : public testing::Test {
       return age >= 0.0 && age < (ros::WallTime::now() - sent).toSec();
     })) << "the map did not arrive";
     client_.send(35.0, 10.0);
-    ASSERT_TRUE(client_.waitForMotion(60.0, 0.95 * kTopSpeed)) << client_.status().stop_cause;
+    ASSERT_TRUE(client_.waitForMotion(90.0, 0.95 * kTopSpeed)) << client_.status().stop_cause;
   }
 
   void onOdometry(const nav_msgs::Odometry& odometry) {
@@ -98,10 +112,8 @@ TEST_F(MapTest, RepublishedMapDoesNotStopTheRobot) {
     map_.publish();
     client_.waitUntil(1.0, [] { return false; });
   }
-  EXPECT_LT(commands_.longestGap(), 0.1);
+  commands_.expectNoGap();
   EXPECT_GT(commands_.leastSpeed(), 0.3);
-  RecordProperty("longest_gap_s", fmt::format("{:.3f}", commands_.longestGap()));
-  RecordProperty("least_speed", fmt::format("{:.2f}", commands_.leastSpeed()));
 }
 
 TEST_F(MapTest, SameMapAgainChangesNothing) {
@@ -114,22 +126,23 @@ TEST_F(MapTest, SameMapAgainChangesNothing) {
   EXPECT_GT(commands_.leastSpeed(), 0.3);
 }
 
-// The large field keeps the planner for it from standing before the robot does.
+// Walls all round the robot, so that there is nothing to do but to rest before them.
 TEST_F(MapTest, ObstacleRightAheadInANewMapIsStoppedFor) {
-  driveOn(kLargeField);
-  const double face = place_.x() + 2.2;
-  map_.add(Point(face, 8.0), Point(face + 1.0, 12.0));
+  driveOn(kSmallField);
+  constexpr double kAhead = 2.0, kThick = 0.3;  // [m]
+  const Point near = place_ - Point(3.0, 3.0), far = place_ + Point(kAhead, 3.0);
+  map_.add(Point(far.x(), near.y()), Point(far.x() + kThick, far.y()));
+  map_.add(Point(near.x(), near.y()), Point(near.x() + kThick, far.y()));
+  map_.add(near, Point(far.x(), near.y() + kThick));
+  map_.add(Point(near.x(), far.y()), Point(far.x() + kThick, far.y() + kThick));
   map_.publish();
-  // Seen from the message on; braked for when rest would come too late, or before.
-  const double to_brake = (2.2 - 0.5) / kTopSpeed;
+  // Braked for when rest would come too late, or before.
+  const double to_brake = (kAhead - 0.5) / kTopSpeed - kBraking / 2.0;
   expectRest({"map republished, obstacle right ahead", to_brake + kBraking + kReaction},
              [this] { return isAtRest(); });
-  EXPECT_GT(face - place_.x(), 0.5) << "it came nearer than its radius";
-  EXPECT_TRUE(client_.waitForMotion(60.0)) << "round the obstacle: " << client_.status().stop_cause;
-  client_.waitUntil(2.0, [] { return false; });
-  const bool touches =
-      place_.x() > face - 0.5 && place_.x() < face + 1.5 && std::abs(place_.y() - 10.0) < 2.5;
-  EXPECT_FALSE(touches);
+  EXPECT_GE(far.x() - place_.x(), 0.5) << "it came nearer than its radius";
+  ASSERT_TRUE(client_.waitForEnd(20.0));
+  EXPECT_NE(client_.text().find("no way to the goal"), std::string::npos) << client_.text();
 }
 
 TEST_F(MapTest, GoalInsideAnObstacleOfANewMapFails) {
@@ -182,9 +195,7 @@ TEST_F(MapTest, GoalPreemptedFiftyTimes) {
     client_.waitUntil(0.1, [] { return false; });
   }
   EXPECT_GT(commands_.leastSpeed(), 0.3) << "no hard stop";
-  EXPECT_LT(commands_.longestGap(), 0.1);
-  RecordProperty("longest_gap_s", fmt::format("{:.3f}", commands_.longestGap()));
-  RecordProperty("least_speed", fmt::format("{:.2f}", commands_.leastSpeed()));
+  commands_.expectNoGap();
   const auto is_over = [](ActionClient::GoalHandle& handle) {
     return handle.getCommState() == actionlib::CommState::DONE;
   };
