@@ -95,7 +95,7 @@ def finish(rig, folder):
         rig.violate(f"sanitizer: {line}")
     figures = report.results(rig, duration)
     for node, growth in figures["memory"].items():
-        if not growth["is_flat"]:
+        if growth["verdict"] == "grows":
             rig.violate(f"memory of {node} grows by {growth['slope_mb_per_h']:.1f} MB/h")
     if rig.trips.reached == 0 and duration > rig.options.goal_timeout:
         rig.violate("no goal was reached")

@@ -52,7 +52,11 @@ class Memory:
         return result
 
     @staticmethod
-    def is_flat(growth, limit):
+    def verdict(growth, limit):
+        """"grows" or "flat" where slope and twice its error tell; else "undecided"."""
         if growth["span_s"] < SHORTEST or math.isnan(growth["slope_mb_per_h"]):
-            return True
-        return growth["slope_mb_per_h"] - 2.0 * growth["error_mb_per_h"] <= limit
+            return "undecided"
+        slope, margin = growth["slope_mb_per_h"], 2.0 * growth["error_mb_per_h"]
+        if slope - margin > limit:
+            return "grows"
+        return "flat" if slope + margin <= limit else "undecided"

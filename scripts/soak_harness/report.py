@@ -20,7 +20,7 @@ def finite(value):
 def results(rig, duration):
     growth = rig.memory.growth()
     for node, figures in growth.items():
-        figures["is_flat"] = Memory.is_flat(figures, rig.options.max_growth)
+        figures["verdict"] = Memory.verdict(figures, rig.options.max_growth)
     return finite({
         "settings": {key: value for key, value in vars(rig.options).items() if key != "output"},
         "duration_s": round(duration, 1),
@@ -83,6 +83,7 @@ def screen(figures):
         lines.append(f"memory of {node:24} {text_of(growth['last_mb'], 1)} MB, peak "
                      f"{text_of(growth['peak_mb'], 1)} MB, slope "
                      f"{text_of(growth['slope_mb_per_h'], 2)} +- "
-                     f"{text_of(growth['error_mb_per_h'], 2)} MB/h over {growth['span_s']:.0f} s")
+                     f"{text_of(growth['error_mb_per_h'], 2)} MB/h over {growth['span_s']:.0f} s: "
+                     f"{growth['verdict']}")
     lines.append(f"violations        {len(figures['violations'])}")
     return lines

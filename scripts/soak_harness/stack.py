@@ -23,6 +23,18 @@ def relayed(topic):
     return "/relayed/" + topic.lstrip("/")
 
 
+def deaths(expected, running, killed):
+    """Names in `expected` whose process is neither in `running` nor was killed; brings `expected` up
+    to date. All are process ids, by name but for the set `killed`."""
+    gone = [name for name, pid in expected.items() if running.get(name) != pid]
+    dead = [name for name in gone if expected[name] not in killed]
+    for name in gone:
+        del expected[name]
+    for name, pid in running.items():
+        expected.setdefault(name, pid)
+    return dead
+
+
 class Stack:
     """The nodes of a launch file and what becomes of their processes."""
 
@@ -41,6 +53,7 @@ class Stack:
         for node in self.parent.config.nodes:
             self._amend(node, with_relay)
         self.expected_pids = {}
+        self.killed_pids = set()
 
     def _amend(self, node, with_relay):
         log = self.folder / "log" / f"{node.name}.log"
@@ -72,20 +85,14 @@ class Stack:
     def signal(self, name, number):
         pid = self.pids().get(name)
         if pid:
+            if number == signal.SIGKILL:  # noted first, as others look for deaths meanwhile
+                self.killed_pids.add(pid)
             os.kill(pid, number)
-        if number == signal.SIGKILL:
-            self.expected_pids.pop(name, None)  # the next one is a new process
         return pid is not None
 
     def unexpected_deaths(self):
         """Nodes that are gone or started again though nobody has killed them; each is told once."""
-        pids = self.pids()
-        dead = [name for name, pid in self.expected_pids.items() if pids.get(name) != pid]
-        for name in dead:
-            del self.expected_pids[name]
-        for name, pid in pids.items():
-            self.expected_pids.setdefault(name, pid)
-        return dead
+        return deaths(self.expected_pids, self.pids(), self.killed_pids)
 
     def is_running(self):
         return SIMULATOR in self.pids()

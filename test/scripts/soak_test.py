@@ -11,7 +11,7 @@ import unittest
 SCRIPTS = pathlib.Path(__file__).resolve().parents[2] / "scripts"
 sys.path.insert(0, str(SCRIPTS))
 sys.dont_write_bytecode = True
-from soak_harness import figures, memory  # noqa: E402  pylint: disable=wrong-import-position
+from soak_harness import figures, memory, stack  # noqa: E402  pylint: disable=wrong-import-position
 
 
 class RefusalTest(unittest.TestCase):
@@ -89,12 +89,42 @@ class MemoryTest(unittest.TestCase):
     def test_a_leak_is_found_and_the_warm_up_is_not_one(self):
         leak = self.grown(30.0)
         self.assertAlmostEqual(leak["slope_mb_per_h"], 30.0, places=6)
-        self.assertFalse(memory.Memory.is_flat(leak, 10.0))
-        self.assertTrue(memory.Memory.is_flat(self.grown(0.0), 10.0))
+        self.assertEqual(memory.Memory.verdict(leak, 10.0), "grows")
+        self.assertEqual(memory.Memory.verdict(self.grown(0.0), 10.0), "flat")
+
+    def test_what_the_error_or_a_short_time_leaves_open_is_undecided(self):
+        figures_of = {"slope_mb_per_h": 9.0, "error_mb_per_h": 1.0, "span_s": 3000.0}
+        self.assertEqual(memory.Memory.verdict(figures_of, 10.0), "undecided")
+        self.assertEqual(memory.Memory.verdict({**figures_of, "slope_mb_per_h": 12.5}, 10.0), "grows")
+        self.assertEqual(memory.Memory.verdict({**figures_of, "slope_mb_per_h": 11.5}, 10.0),
+                         "undecided")
+        self.assertEqual(memory.Memory.verdict({**figures_of, "slope_mb_per_h": 7.5}, 10.0), "flat")
+        short = {"slope_mb_per_h": 900.0, "error_mb_per_h": 0.0, "span_s": 500.0}
+        self.assertEqual(memory.Memory.verdict(short, 10.0), "undecided")
 
     def test_of_a_process_that_lives(self):
         self.assertGreater(memory.resident(os.getpid()), 1.0)
         self.assertTrue(math.isnan(memory.resident(2 ** 30)))
+
+
+class DeathsTest(unittest.TestCase):
+    def test_who_was_killed_has_not_died(self):
+        expected = {"planner": 1, "guard": 2}
+        self.assertEqual(stack.deaths(expected, {"guard": 2}, {1}), [])
+        self.assertEqual(stack.deaths(expected, {"planner": 3, "guard": 2}, {1}), [])
+        self.assertEqual(expected, {"planner": 3, "guard": 2})
+
+    def test_a_kill_that_is_not_seen_at_once_is_no_death_later(self):
+        expected = {}
+        self.assertEqual(stack.deaths(expected, {"planner": 1}, {1}), [])  # still in the list
+        self.assertEqual(stack.deaths(expected, {}, {1}), [])
+
+    def test_a_death_is_told_once(self):
+        expected = {"planner": 1}
+        self.assertEqual(stack.deaths(expected, {"planner": 2}, set()), ["planner"])
+        self.assertEqual(stack.deaths(expected, {"planner": 2}, set()), [])
+        self.assertEqual(stack.deaths(expected, {}, set()), ["planner"])
+        self.assertEqual(stack.deaths(expected, {}, set()), [])
 
 
 if __name__ == "__main__":
