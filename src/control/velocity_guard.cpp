@@ -15,6 +15,7 @@ constexpr double kRestSpeed = 0.03;     // [m/s]
 constexpr double kRestYawRate = 0.05;   // [rad/s]
 constexpr double kFarthest = 1e6;       // [m] from the origin of odometry
 constexpr double kPlausible = 3.0;      // times its maximum speed, no base drives faster
+constexpr double kFastestPerson = 20.0;  // [m/s], the speed of a faster one is not known
 constexpr double kRestTime = 0.2;       // [s] of zeros at least
 constexpr double kRestPatience = 5.0;   // [s] of zeros for a base that is not seen to rest
 
@@ -51,12 +52,16 @@ const char* describe(GuardCause cause) {
       return "the clock jumped back";
     case GuardCause::kNoOdometry:
       return "odometry is silent or too old";
+    case GuardCause::kOdometryRefused:
+      return "odometry is refused";
     case GuardCause::kOdometryNotFinite:
       return "odometry is not finite or out of range";
     case GuardCause::kNoTransform:
       return "no transform from the frame of tracked people to that of odometry";
     case GuardCause::kNoPeople:
       return "tracked people are silent or too old";
+    case GuardCause::kPeopleRefused:
+      return "tracked people are refused";
     case GuardCause::kPerson:
       return "a person is in the stopping path";
     case GuardCause::kShutDown:
@@ -106,15 +111,34 @@ void VelocityGuard::takeMotion(const Pose& pose, const BaseCommand& velocity, do
   motion_at_ = measured_at;
 }
 
-void VelocityGuard::takePeople(const TrackList& people, double measured_at) {
-  people_ = people;
-  people_at_ = measured_at;
+void VelocityGuard::takePeople(const TrackList& people, double measured_at, size_t source) {
+  Sweep& sweep = sweeps_.at(source);
+  sweep = {people, measured_at};
+  for (Track& person : sweep.people.tracks) {
+    if (!(speedOf(person.velocity) <= kFastestPerson)) person.velocity = Point(0.0, 0.0);
+  }
+}
+
+void VelocityGuard::noteBadOdometry(double now, GuardCause why) {
+  bad_odometry_at_ = now;
+  bad_odometry_ = why;
+}
+
+void VelocityGuard::noteBadPeople(double now, GuardCause why) {
+  bad_people_at_ = now;
+  bad_people_ = why;
 }
 
 void VelocityGuard::noteClockJump(double now) {
   clock_jump_at_ = now;
-  motion_at_ = people_at_ = -1.0;
-  people_ = TrackList();
+  motion_at_ = -1.0;
+  sweeps_ = {};
+}
+
+double VelocityGuard::peopleAt() const {
+  double newest = -1.0;
+  for (const Sweep& sweep : sweeps_) newest = std::max(newest, sweep.at);
+  return newest;
 }
 
 bool VelocityGuard::isRecent(double moment, double limit, double now) {
@@ -156,15 +180,15 @@ GuardCause VelocityGuard::whyNoCommand(double now) const {
 }
 
 GuardCause VelocityGuard::missingInput(double now) const {
-  const bool has_people = isRecent(people_at_, params_.people_timeout, now);
+  const bool has_people = isRecent(peopleAt(), params_.people_timeout, now);
   if (hasMotion(now) && has_people) return GuardCause::kNone;
   if (isRecent(clock_jump_at_, params_.people_timeout, now)) return GuardCause::kClockJumped;
   if (!hasMotion(now)) {
     const bool is_bad = isRecent(bad_odometry_at_, params_.odom_timeout, now);
-    return is_bad ? GuardCause::kOdometryNotFinite : GuardCause::kNoOdometry;
+    return is_bad ? bad_odometry_ : GuardCause::kNoOdometry;
   }
-  const bool lacks_frame = isRecent(missing_transform_at_, params_.people_timeout, now);
-  return lacks_frame ? GuardCause::kNoTransform : GuardCause::kNoPeople;
+  const bool are_bad = isRecent(bad_people_at_, params_.people_timeout, now);
+  return are_bad ? bad_people_ : GuardCause::kNoPeople;
 }
 
 // Moved on since it was measured.
@@ -174,15 +198,26 @@ Pose VelocityGuard::poseAt(double now) const {
           pose_.heading + elapsed * velocity_.yaw_rate};
 }
 
+// Whoever was seen lately, moved on since.
+std::vector<Track> VelocityGuard::peopleOf(double now) const {
+  std::vector<Track> people;
+  for (const Sweep& sweep : sweeps_) {
+    if (!isRecent(sweep.at, params_.people_timeout, now)) continue;
+    const double age = std::max(0.0, now - sweep.at);
+    for (Track person : sweep.people.tracks) {
+      person.position += age * person.velocity;
+      people.push_back(person);
+    }
+  }
+  return people;
+}
+
 // Looks along the command and along the present motion, which differ while the base takes up the
 // command. The last person counts until the way has been free for a while.
 std::optional<std::int64_t> VelocityGuard::personInTheWay(double now) {
   const double wanted = std::min(speedOf(command_.velocity), vehicle_.max_speed);
   if (!(wanted > 0.0)) return std::nullopt;
-  std::vector<Track> people = people_.tracks;
-  const double age = std::max(0.0, now - people_at_);
-  for (Track& person : people) person.position += age * person.velocity;
-
+  const std::vector<Track> people = peopleOf(now);
   const Pose pose = poseAt(now);
   const auto blocked = [&](const Point& velocity, double speed, double yaw_rate) {
     const double heading = pose.heading + std::atan2(velocity.y(), velocity.x());
