@@ -153,7 +153,10 @@ VelocityGuard::Output VelocityGuard::tick(double now) {
   const double period = std::clamp(now - last_tick_, 0.0, kLongestPeriod);
   last_tick_ = now;
   const GuardCause no_command = whyNoCommand(now);
-  if (no_command != GuardCause::kNone) return stopped(no_command, now, period);
+  if (no_command != GuardCause::kNone) {
+    if (mustTakeOver(now)) limiter_.limit(velocity_, {}, period, velocity_.velocity);
+    return stopped(no_command, now, period);
+  }
   zero_since_ = -1.0;
   const bool is_motion_wanted = !isZero(command_);
   const GuardCause missing = is_motion_wanted ? missingInput(now) : GuardCause::kNone;
@@ -244,7 +247,8 @@ VelocityGuard::Output VelocityGuard::stopped(GuardCause cause, double now, doubl
                            cause != GuardCause::kCommandNotFinite;
   const double measured = hasMotion(now) ? speedOf(velocity_.velocity) : VelocityLimiter::kNoCap;
   const VelocityLimiter::Caps caps = limiter_.brakingCaps(period, measured);
-  const bool had_nothing_to_stop = !has_command && isZero(command_) && is_command_finite_;
+  const bool had_nothing_to_stop = !has_command && isZero(command_) && is_command_finite_ &&
+                                   take_over_ != TakeOver::kBrakes;
   Output output;
   output.cause = had_nothing_to_stop ? GuardCause::kNone : cause;
   output.wanted_speed = has_command ? speedOf(command_.velocity) : 0.0;
@@ -253,15 +257,32 @@ VelocityGuard::Output VelocityGuard::stopped(GuardCause cause, double now, doubl
   return output;
 }
 
+// A guard that was started anew beside a planner that is dead, or never was, finds a base that goes
+// on by itself. True once, when braking begins: it begins with the measured velocity.
+bool VelocityGuard::mustTakeOver(double now) {
+  if (command_at_ >= 0.0) take_over_ = TakeOver::kOver;
+  if (take_over_ != TakeOver::kUndecided || !hasMotion(now)) return false;
+  if (speedOf(velocity_.velocity) < kRestSpeed && std::abs(velocity_.yaw_rate) < kRestYawRate) {
+    take_over_ = TakeOver::kOver;
+    return false;
+  }
+  if (moving_since_ < 0.0) moving_since_ = now;
+  if (now - moving_since_ <= params_.command_timeout) return false;
+  take_over_ = TakeOver::kBrakes;
+  return true;
+}
+
 // Zeros are sent until odometry shows rest, or for some time where it shows nothing.
 bool VelocityGuard::isIdle(double now) {
-  if (command_at_ < 0.0) return true;
+  if (command_at_ < 0.0 && take_over_ != TakeOver::kBrakes) return true;
   if (!isZero(limiter_.last())) zero_since_ = -1.0;
   if (!isZero(limiter_.last())) return false;
   if (zero_since_ < 0.0) zero_since_ = now;
   const bool rests = hasMotion(now) && speedOf(velocity_.velocity) < kRestSpeed &&
                      std::abs(velocity_.yaw_rate) < kRestYawRate;
-  return now - zero_since_ > (rests ? kRestTime : kRestPatience);
+  const bool is_idle = now - zero_since_ > (rests ? kRestTime : kRestPatience);
+  if (is_idle) take_over_ = TakeOver::kOver;
+  return is_idle;
 }
 
 }  // namespace pomdp_crowd_nav

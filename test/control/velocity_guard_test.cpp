@@ -306,6 +306,24 @@ TEST_F(GuardedDrive, AGuardThatStartsWhileTheBaseDrivesTakesItOver) {
   EXPECT_GT(base_.velocity().norm(), 0.85) << "it goes on from the measured speed";
 }
 
+TEST_F(GuardedDrive, ANewGuardBesideADeadPlannerBrakesTheBase) {
+  driveAtFullSpeed();
+  guard_ = VelocityGuard(params(), movo());
+  has_command_ = false;
+  expectRest(0.25 + 1.0 + 0.1, GuardCause::kNoCommand);
+  run(0.5);
+  EXPECT_FALSE(output_.command) << "then it is silent";
+}
+
+// Somebody else drives it, by hand.
+TEST_F(GuardedDrive, ABaseThatBeginsToMoveBesideANewGuardIsNotItsBusiness) {
+  run(0.5);
+  sent_ = {{0.5, 0.0}, 0.0};
+  run(2.0);
+  EXPECT_FALSE(output_.command);
+  EXPECT_NEAR(base_.velocity().x(), 0.5, 1e-3);
+}
+
 // Whatever comes in: finite, within the limits, never faster than the last command, zero within the
 // braking time of a planner's silence.
 TEST(VelocityGuard, PropertiesHoldForRandomInputs) {

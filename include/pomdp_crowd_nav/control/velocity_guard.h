@@ -32,7 +32,8 @@ const char* describe(GuardCause cause);
 // its stopping path and whenever a command, odometry or people are missing or too old.
 //
 // What it puts out is never faster than a command that is fresh, never over the limits, always
-// finite. It knows nothing of the planner. All times [s], steady clock.
+// finite. It knows nothing of the planner. A guard that starts beside a base in motion and hears no
+// command brakes it once. All times [s], steady clock.
 class VelocityGuard {
  public:
   struct Params {
@@ -120,6 +121,9 @@ class VelocityGuard {
   std::int64_t blocking_person_ = -1;
   double zero_since_ = -1.0;  // output is zero and there is no fresh command
   bool is_shut_down_ = false;
+  // Of a guard that has not heard any command yet.
+  enum class TakeOver { kUndecided, kBrakes, kOver } take_over_ = TakeOver::kUndecided;
+  double moving_since_ = -1.0;
 };
 
 // Throws std::invalid_argument naming the first key ("guard/...") that is out of range.
