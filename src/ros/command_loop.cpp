@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pomdp_crowd_nav {
 namespace {
@@ -167,6 +168,23 @@ BaseCommand CommandLoop::turnInPlace(double yaw_error) {
   return {Point(0.0, 0.0), last_yaw_rate_};
 }
 
+bool beginTrip(const Goal& goal, double now, Drive& drive, std::optional<Ending>& unfinished) {
+  if (drive.closing || goal.number < drive.last_goal) return false;
+  unfinished = std::exchange(drive.ending, std::nullopt);
+  if (!drive.hasGoal()) {
+    drive.prepared = false;
+    drive.first_goal = goal.number;
+  }
+  drive.goal = goal;
+  drive.last_goal = goal.number;
+  drive.approaches = 0;
+  drive.progress.begin(now);
+  drive.blocker = Blocker();
+  drive.counts = TripCounts();
+  drive.search = SearchStatistics();
+  return true;
+}
+
 void endTrip(Outcome outcome, const std::string& text, double now, Drive& drive) {
   if (!drive.hasGoal()) return;
   drive.ending = Ending{drive.goal, outcome, text, now};
@@ -183,6 +201,12 @@ void cancelTrip(double now, Drive& drive) {
     drive.ending->text = text;
   }
   endTrip(Outcome::kCancelled, text, now, drive);
+}
+
+void cancelTrip(long number, double now, Drive& drive) {
+  const bool is_present = drive.hasGoal() && drive.goal.number == number;
+  const bool is_ending = drive.ending && drive.ending->goal.number == number;
+  if (is_present || is_ending) cancelTrip(now, drive);
 }
 
 }  // namespace pomdp_crowd_nav
