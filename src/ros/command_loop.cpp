@@ -36,6 +36,7 @@ CommandLoop::CommandLoop(const PlannerNodeParams& params)
       obstacles_(vehicle_, params.navigation.emergency.reaction_time + period_) {}
 
 void CommandLoop::setParams(const NavigationParams& params) {
+  obstacles_ = ObstacleReflex(vehicle_, params.emergency.reaction_time + period_);
   emergency_ = EmergencyOverride(params.emergency, vehicle_, params.planning.model.step);
 }
 
@@ -90,10 +91,11 @@ void CommandLoop::watchPeople(double now, Drive& drive) const {
 }
 
 // The planner minds the obstacles of its own map; those of a newer one are minded here until the
-// planner for that stands.
+// base follows the first motion of the planner for that.
 void CommandLoop::watchMap(double now, Drive& drive) const {
   const Inputs& inputs = drive.inputs;
-  const bool is_planned = !drive.planned_map || drive.planned_map == inputs.map;
+  const bool knows_map = drive.planned_map == inputs.map && now >= drive.planned_from;
+  const bool is_planned = !drive.planned_map || knows_map;
   if (is_planned || !inputs.map || !inputs.robot || drive.executor.isStopping(now)) return;
   if (!obstacles_.mustBrake(stateOf(*inputs.robot), *inputs.map)) return;
   drive.executor.stop();
