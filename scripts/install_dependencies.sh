@@ -9,7 +9,7 @@ BUILD_PACKAGES=(
   ros-message-generation ros-std-msgs ros-geometry-msgs
   libroscpp-dev libactionlib-dev libdiagnostic-updater-dev libmove-base-msgs-dev libnav-msgs-dev
   libdynamic-reconfigure-config-init-mutex-dev python3-dynamic-reconfigure
-  libnodeletlib-dev librosbag-storage-dev pluginlib-dev libtf2-ros-dev libtopic-tools-dev
+  libnodeletlib-dev librosbag-storage-dev pluginlib-dev libtf2-msgs-dev libtf2-ros-dev libtopic-tools-dev
   libvisualization-msgs-dev
   libbenchmark-dev libcli11-dev libeigen3-dev libfmt-dev libompl-dev libopencv-dev
   libyaml-cpp-dev nlohmann-json3-dev

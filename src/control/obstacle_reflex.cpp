@@ -28,12 +28,23 @@ bool ObstacleReflex::hits(const StepMotion& motion, const StaticMap& map) const 
   return touches(way, map);
 }
 
-// A way that begins in touch must lead away.
+// A way that begins in touch must lead away, and one that begins inside must lead out.
 bool ObstacleReflex::touches(const std::vector<Point>& way, const StaticMap& map) const {
-  const double least =
-      std::min(vehicle_.radius + kMargin, map.clearance(way.front()) - 0.5 * kMargin);
+  const double begin = map.clearance(way.front());
+  if (begin <= 0.0 && !leadsOut(way, map)) return true;
+  const double least = std::min(vehicle_.radius + kMargin, begin - 0.5 * kMargin);
   return std::any_of(way.begin(), way.end(),
                      [&](const Point& place) { return map.clearance(place) < least; });
+}
+
+// Inside an obstacle of a grid every place is as bad as any other: what counts is what the robot's
+// front reaches. To stand is allowed.
+bool ObstacleReflex::leadsOut(const std::vector<Point>& way, const StaticMap& map) const {
+  const Point course = way.back() - way.front();
+  const double length = course.norm();
+  if (length <= 0.0) return true;
+  const Point front = way.back() + (vehicle_.radius + kMargin) / length * course;
+  return map.clearance(front) > map.clearance(way.front());
 }
 
 void ObstacleReflex::addBraking(const VehicleState& from, std::vector<Point>& way) const {

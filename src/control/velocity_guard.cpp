@@ -15,6 +15,7 @@ constexpr double kRestSpeed = 0.03;     // [m/s]
 constexpr double kRestYawRate = 0.05;   // [rad/s]
 constexpr double kFarthest = 1e6;       // [m] from the origin of odometry
 constexpr double kPlausible = 3.0;      // times its maximum speed, no base drives faster
+constexpr double kFastestPerson = 20.0;  // [m/s], the speed of a faster one is not known
 constexpr double kRestTime = 0.2;       // [s] of zeros at least
 constexpr double kRestPatience = 5.0;   // [s] of zeros for a base that is not seen to rest
 
@@ -51,12 +52,16 @@ const char* describe(GuardCause cause) {
       return "the clock jumped back";
     case GuardCause::kNoOdometry:
       return "odometry is silent or too old";
+    case GuardCause::kOdometryRefused:
+      return "odometry is refused";
     case GuardCause::kOdometryNotFinite:
       return "odometry is not finite or out of range";
     case GuardCause::kNoTransform:
       return "no transform from the frame of tracked people to that of odometry";
     case GuardCause::kNoPeople:
       return "tracked people are silent or too old";
+    case GuardCause::kPeopleRefused:
+      return "tracked people are refused";
     case GuardCause::kPerson:
       return "a person is in the stopping path";
     case GuardCause::kShutDown:
@@ -106,15 +111,34 @@ void VelocityGuard::takeMotion(const Pose& pose, const BaseCommand& velocity, do
   motion_at_ = measured_at;
 }
 
-void VelocityGuard::takePeople(const TrackList& people, double measured_at) {
-  people_ = people;
-  people_at_ = measured_at;
+void VelocityGuard::takePeople(const TrackList& people, double measured_at, size_t source) {
+  Sweep& sweep = sweeps_.at(source);
+  sweep = {people, measured_at};
+  for (Track& person : sweep.people.tracks) {
+    if (!(speedOf(person.velocity) <= kFastestPerson)) person.velocity = Point(0.0, 0.0);
+  }
+}
+
+void VelocityGuard::noteBadOdometry(double now, GuardCause why) {
+  bad_odometry_at_ = now;
+  bad_odometry_ = why;
+}
+
+void VelocityGuard::noteBadPeople(double now, GuardCause why) {
+  bad_people_at_ = now;
+  bad_people_ = why;
 }
 
 void VelocityGuard::noteClockJump(double now) {
   clock_jump_at_ = now;
-  motion_at_ = people_at_ = -1.0;
-  people_ = TrackList();
+  motion_at_ = -1.0;
+  sweeps_ = {};
+}
+
+double VelocityGuard::peopleAt() const {
+  double newest = -1.0;
+  for (const Sweep& sweep : sweeps_) newest = std::max(newest, sweep.at);
+  return newest;
 }
 
 bool VelocityGuard::isRecent(double moment, double limit, double now) {
@@ -129,7 +153,10 @@ VelocityGuard::Output VelocityGuard::tick(double now) {
   const double period = std::clamp(now - last_tick_, 0.0, kLongestPeriod);
   last_tick_ = now;
   const GuardCause no_command = whyNoCommand(now);
-  if (no_command != GuardCause::kNone) return stopped(no_command, now, period);
+  if (no_command != GuardCause::kNone) {
+    if (mustTakeOver(now)) limiter_.limit(velocity_, {}, period, velocity_.velocity);
+    return stopped(no_command, now, period);
+  }
   zero_since_ = -1.0;
   const bool is_motion_wanted = !isZero(command_);
   const GuardCause missing = is_motion_wanted ? missingInput(now) : GuardCause::kNone;
@@ -156,15 +183,15 @@ GuardCause VelocityGuard::whyNoCommand(double now) const {
 }
 
 GuardCause VelocityGuard::missingInput(double now) const {
-  const bool has_people = isRecent(people_at_, params_.people_timeout, now);
+  const bool has_people = isRecent(peopleAt(), params_.people_timeout, now);
   if (hasMotion(now) && has_people) return GuardCause::kNone;
   if (isRecent(clock_jump_at_, params_.people_timeout, now)) return GuardCause::kClockJumped;
   if (!hasMotion(now)) {
     const bool is_bad = isRecent(bad_odometry_at_, params_.odom_timeout, now);
-    return is_bad ? GuardCause::kOdometryNotFinite : GuardCause::kNoOdometry;
+    return is_bad ? bad_odometry_ : GuardCause::kNoOdometry;
   }
-  const bool lacks_frame = isRecent(missing_transform_at_, params_.people_timeout, now);
-  return lacks_frame ? GuardCause::kNoTransform : GuardCause::kNoPeople;
+  const bool are_bad = isRecent(bad_people_at_, params_.people_timeout, now);
+  return are_bad ? bad_people_ : GuardCause::kNoPeople;
 }
 
 // Moved on since it was measured.
@@ -174,15 +201,26 @@ Pose VelocityGuard::poseAt(double now) const {
           pose_.heading + elapsed * velocity_.yaw_rate};
 }
 
+// Whoever was seen lately, moved on since.
+std::vector<Track> VelocityGuard::peopleOf(double now) const {
+  std::vector<Track> people;
+  for (const Sweep& sweep : sweeps_) {
+    if (!isRecent(sweep.at, params_.people_timeout, now)) continue;
+    const double age = std::max(0.0, now - sweep.at);
+    for (Track person : sweep.people.tracks) {
+      person.position += age * person.velocity;
+      people.push_back(person);
+    }
+  }
+  return people;
+}
+
 // Looks along the command and along the present motion, which differ while the base takes up the
 // command. The last person counts until the way has been free for a while.
 std::optional<std::int64_t> VelocityGuard::personInTheWay(double now) {
   const double wanted = std::min(speedOf(command_.velocity), vehicle_.max_speed);
   if (!(wanted > 0.0)) return std::nullopt;
-  std::vector<Track> people = people_.tracks;
-  const double age = std::max(0.0, now - people_at_);
-  for (Track& person : people) person.position += age * person.velocity;
-
+  const std::vector<Track> people = peopleOf(now);
   const Pose pose = poseAt(now);
   const auto blocked = [&](const Point& velocity, double speed, double yaw_rate) {
     const double heading = pose.heading + std::atan2(velocity.y(), velocity.x());
@@ -209,7 +247,8 @@ VelocityGuard::Output VelocityGuard::stopped(GuardCause cause, double now, doubl
                            cause != GuardCause::kCommandNotFinite;
   const double measured = hasMotion(now) ? speedOf(velocity_.velocity) : VelocityLimiter::kNoCap;
   const VelocityLimiter::Caps caps = limiter_.brakingCaps(period, measured);
-  const bool had_nothing_to_stop = !has_command && isZero(command_) && is_command_finite_;
+  const bool had_nothing_to_stop = !has_command && isZero(command_) && is_command_finite_ &&
+                                   take_over_ != TakeOver::kBrakes;
   Output output;
   output.cause = had_nothing_to_stop ? GuardCause::kNone : cause;
   output.wanted_speed = has_command ? speedOf(command_.velocity) : 0.0;
@@ -218,15 +257,32 @@ VelocityGuard::Output VelocityGuard::stopped(GuardCause cause, double now, doubl
   return output;
 }
 
+// A guard that was started anew beside a planner that is dead, or never was, finds a base that goes
+// on by itself. True once, when braking begins: it begins with the measured velocity.
+bool VelocityGuard::mustTakeOver(double now) {
+  if (command_at_ >= 0.0) take_over_ = TakeOver::kOver;
+  if (take_over_ != TakeOver::kUndecided || !hasMotion(now)) return false;
+  if (speedOf(velocity_.velocity) < kRestSpeed && std::abs(velocity_.yaw_rate) < kRestYawRate) {
+    take_over_ = TakeOver::kOver;
+    return false;
+  }
+  if (moving_since_ < 0.0) moving_since_ = now;
+  if (now - moving_since_ <= params_.command_timeout) return false;
+  take_over_ = TakeOver::kBrakes;
+  return true;
+}
+
 // Zeros are sent until odometry shows rest, or for some time where it shows nothing.
 bool VelocityGuard::isIdle(double now) {
-  if (command_at_ < 0.0) return true;
+  if (command_at_ < 0.0 && take_over_ != TakeOver::kBrakes) return true;
   if (!isZero(limiter_.last())) zero_since_ = -1.0;
   if (!isZero(limiter_.last())) return false;
   if (zero_since_ < 0.0) zero_since_ = now;
   const bool rests = hasMotion(now) && speedOf(velocity_.velocity) < kRestSpeed &&
                      std::abs(velocity_.yaw_rate) < kRestYawRate;
-  return now - zero_since_ > (rests ? kRestTime : kRestPatience);
+  const bool is_idle = now - zero_since_ > (rests ? kRestTime : kRestPatience);
+  if (is_idle) take_over_ = TakeOver::kOver;
+  return is_idle;
 }
 
 }  // namespace pomdp_crowd_nav

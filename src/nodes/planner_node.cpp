@@ -7,6 +7,7 @@
 
 #include "pomdp_crowd_nav/ros/navigation_server.h"
 #include "pomdp_crowd_nav/ros/node_arguments.h"
+#include "pomdp_crowd_nav/ros/output_relay.h"
 #include "pomdp_crowd_nav/ros/ros_param_reader.h"
 #include "pomdp_crowd_nav/ros/shutdown_request.h"
 
@@ -15,6 +16,7 @@ int main(int argc, char** argv) {
   const auto status = pomdp_crowd_nav::answerArguments(
       "planner_node", "Drives a robot through a crowd to the goals that it is sent.", argc, argv);
   if (status) return *status;
+  pomdp_crowd_nav::relayOutput();  // no log holds up commands
   try {
     ros::NodeHandle node;
     ros::NodeHandle private_node("~");

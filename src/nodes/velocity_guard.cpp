@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "pomdp_crowd_nav/ros/node_arguments.h"
+#include "pomdp_crowd_nav/ros/output_relay.h"
 #include "pomdp_crowd_nav/ros/ros_param_reader.h"
 #include "pomdp_crowd_nav/ros/shutdown_request.h"
 #include "pomdp_crowd_nav/ros/velocity_guard_server.h"
@@ -16,6 +17,7 @@ int main(int argc, char** argv) {
       "velocity_guard", "Limits velocity commands, and brakes for people and for silence.", argc,
       argv);
   if (status) return *status;
+  pomdp_crowd_nav::relayOutput();  // no log holds up commands
   try {
     ros::NodeHandle node;
     ros::NodeHandle private_node("~");

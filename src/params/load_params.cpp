@@ -137,6 +137,7 @@ void readPlanning(ParamReader& reader, PlannerParams& planning) {
   reader.read("prior/resolution", planning.prior.resolution);
   reader.read("prior/extra_clearance", planning.prior.extra_clearance);
   reader.read("prior/blocked_speed", planning.prior.blocked_speed);
+  reader.read("prior/narrow_speed", planning.prior.narrow_speed);
   reader.read("prior/saturation_distance", planning.prior.saturation_distance);
   reader.read("prior/look_ahead", planning.prior.look_ahead);
   reader.read("prior/milestones", planning.prior.milestones);

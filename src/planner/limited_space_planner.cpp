@@ -49,6 +49,7 @@ HybridAstar::Params pathParams(const PlannerParams& params) {
 NavigationField wayToGoal(const Task& task, const PlannerParams& params) {
   PriorParams prior = params.prior;
   prior.clearance = params.model.obstacleClearance();
+  prior.robot_radius = params.model.vehicle.radius;
   prior.extra_clearance = 0.0;
   const char* kind = task.map.hasObstacles() ? "fast_marching" : "straight_line";
   const auto clearances = clearancesOf(task, prior);

@@ -22,6 +22,7 @@ std::unique_ptr<Planner> makeExtendedSpace(const char* prior, const Task& task,
                                            const PlannerParams& params, bool looks_ahead = false) {
   PriorParams prior_params = params.prior;
   prior_params.clearance = params.model.obstacleClearance();
+  prior_params.robot_radius = params.model.vehicle.radius;
   const auto make = [&] {
     const auto clearances = clearancesOf(task, prior_params);
     PriorPointer path = makePrior(prior, *clearances, task.goal, prior_params);

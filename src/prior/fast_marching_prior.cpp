@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -22,6 +24,8 @@ void validate(const PriorParams& params) {
   require(params.extra_clearance >= 0.0, "extra_clearance", "at least 0", params.extra_clearance);
   require(params.blocked_speed > 0.0 && params.blocked_speed < 1.0, "blocked_speed", "in (0, 1)",
           params.blocked_speed);
+  require(params.narrow_speed >= params.blocked_speed && params.narrow_speed <= 1.0, "narrow_speed",
+          "between prior.blocked_speed and 1", params.narrow_speed);
 }
 
 }  // namespace
@@ -36,10 +40,15 @@ SpeedMap makeSpeedMap(const ClearanceGrid& clearances, const PriorParams& params
   SpeedMap speed_map{clearances.grid, {}};
   const double kept_clearance = params.clearance + params.extra_clearance;
   const auto blocked_speed = static_cast<float>(params.blocked_speed);
+  const auto narrow_speed = static_cast<float>(params.narrow_speed);
+  const double touch = M_SQRT1_2 * clearances.grid.resolution;  // of a cell, from its centre
   speed_map.speed.reserve(clearances.clearance.size());
   for (const double clearance : clearances.clearance) {
-    const float inside = clearance > 0.0 ? blocked_speed : 0.1F * blocked_speed;
-    speed_map.speed.push_back(clearance >= kept_clearance && clearance > 0.0 ? 1.0F : inside);
+    float speed = 1.0F;
+    if (clearance < kept_clearance) speed = narrow_speed;
+    if (clearance < std::min(kept_clearance, params.robot_radius)) speed = blocked_speed;
+    if (clearance <= touch) speed = 0.1F * blocked_speed;
+    speed_map.speed.push_back(speed);
   }
   return speed_map;
 }

@@ -29,7 +29,8 @@ SpeedMap makeSquareSpeedMap(const ClearanceGrid& clearances, const Point& goal,
       const double clearance = is_near ? at_goal : clearances.clearance[cell];
       const double share = clearance / params.saturation_distance;
       float& speed = speed_map.speed[cell];
-      if (speed == 1.0F) speed = static_cast<float>(std::clamp(share, params.blocked_speed, 1.0));
+      const auto slow = static_cast<float>(std::clamp(share, params.blocked_speed, 1.0));
+      speed = std::min(speed, slow);
     }
   }
   return speed_map;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pomdp_crowd_nav {
 namespace {
@@ -35,6 +36,7 @@ CommandLoop::CommandLoop(const PlannerNodeParams& params)
       obstacles_(vehicle_, params.navigation.emergency.reaction_time + period_) {}
 
 void CommandLoop::setParams(const NavigationParams& params) {
+  obstacles_ = ObstacleReflex(vehicle_, params.emergency.reaction_time + period_);
   emergency_ = EmergencyOverride(params.emergency, vehicle_, params.planning.model.step);
 }
 
@@ -89,10 +91,11 @@ void CommandLoop::watchPeople(double now, Drive& drive) const {
 }
 
 // The planner minds the obstacles of its own map; those of a newer one are minded here until the
-// planner for that stands.
+// base follows the first motion of the planner for that.
 void CommandLoop::watchMap(double now, Drive& drive) const {
   const Inputs& inputs = drive.inputs;
-  const bool is_planned = !drive.planned_map || drive.planned_map == inputs.map;
+  const bool knows_map = drive.planned_map == inputs.map && now >= drive.planned_from;
+  const bool is_planned = !drive.planned_map || knows_map;
   if (is_planned || !inputs.map || !inputs.robot || drive.executor.isStopping(now)) return;
   if (!obstacles_.mustBrake(stateOf(*inputs.robot), *inputs.map)) return;
   drive.executor.stop();
@@ -167,6 +170,23 @@ BaseCommand CommandLoop::turnInPlace(double yaw_error) {
   return {Point(0.0, 0.0), last_yaw_rate_};
 }
 
+bool beginTrip(const Goal& goal, double now, Drive& drive, std::optional<Ending>& unfinished) {
+  if (drive.closing || goal.number < drive.last_goal) return false;
+  unfinished = std::exchange(drive.ending, std::nullopt);
+  if (!drive.hasGoal()) {
+    drive.prepared = false;
+    drive.first_goal = goal.number;
+  }
+  drive.goal = goal;
+  drive.last_goal = goal.number;
+  drive.approaches = 0;
+  drive.progress.begin(now);
+  drive.blocker = Blocker();
+  drive.counts = TripCounts();
+  drive.search = SearchStatistics();
+  return true;
+}
+
 void endTrip(Outcome outcome, const std::string& text, double now, Drive& drive) {
   if (!drive.hasGoal()) return;
   drive.ending = Ending{drive.goal, outcome, text, now};
@@ -183,6 +203,12 @@ void cancelTrip(double now, Drive& drive) {
     drive.ending->text = text;
   }
   endTrip(Outcome::kCancelled, text, now, drive);
+}
+
+void cancelTrip(long number, double now, Drive& drive) {
+  const bool is_present = drive.hasGoal() && drive.goal.number == number;
+  const bool is_ending = drive.ending && drive.ending->goal.number == number;
+  if (is_present || is_ending) cancelTrip(now, drive);
 }
 
 }  // namespace pomdp_crowd_nav

@@ -19,6 +19,13 @@ void nap(double duration) {
   std::this_thread::sleep_for(std::chrono::duration<double>(std::min(duration, kNap)));
 }
 
+// The base follows a motion that minds `map`, from `effect` on.
+void noteMap(std::shared_ptr<const StaticMap>& map, double effect, Drive& drive) {
+  if (drive.planned_map == map) return;
+  drive.planned_map.swap(map);
+  drive.planned_from = effect;
+}
+
 void noteBlocker(const std::optional<std::int64_t>& blocker, double now, Drive& drive) {
   if (!blocker) {
     drive.blocker = Blocker();
@@ -36,8 +43,8 @@ DecisionLoop::DecisionLoop(const PlannerNodeParams& params, Guarded<Drive>& driv
       drive_(drive),
       callbacks_(std::move(callbacks)),
       maker_(params.navigation),
-      obstacles_(params.navigation.planning.model.vehicle,
-                 params.navigation.emergency.reaction_time),
+      vehicle_(params.navigation.planning.model.vehicle),
+      obstacles_(vehicle_, params.navigation.emergency.reaction_time),
       schedule_(params.navigation.planning.model.step, params.navigation.search_time),
       builder_(params.destinations, drive, map_work, callbacks_.failed),
       thread_([this] { run(); }) {}
@@ -71,6 +78,7 @@ void DecisionLoop::adoptParams() {
   if (params == params_) return;
   maker_ = DecisionMaker(*params);
   schedule_.setSearchTime(params->search_time);
+  obstacles_ = ObstacleReflex(vehicle_, params->emergency.reaction_time);
   params_ = params;
 }
 
@@ -81,7 +89,6 @@ void DecisionLoop::adoptPlanner() {
   drive_.with([&](Drive& drive) {
     if (!drive.hasGoal() || present_.goal.number < drive.first_goal) return;
     drive.prepared = true;
-    drive.planned_map = present_.map;
     drive.progress.takeAnotherWay();
   });
 }
@@ -150,6 +157,7 @@ void DecisionLoop::decide(const DecisionSlot& slot) {
 
 void DecisionLoop::handOver(const Snapshot& snapshot, const Verdict& verdict, double effect) {
   const Decision& decision = verdict.decision;
+  auto known_map = present_.map;  // swapped, so that a map that goes does so with the lock open
   drive_.with([&](Drive& drive) {
     const double now = steadySeconds();
     const bool was_stopped = drive.executor.stopCount() != snapshot.stop_count;
@@ -165,7 +173,7 @@ void DecisionLoop::handOver(const Snapshot& snapshot, const Verdict& verdict, do
       drive.reflex_or_miss = StopCause::kNoDecision;
     } else if (!was_stopped) {
       if (decision.action.sudden_brake && is_moving) ++drive.counts.sudden_brakes;
-      follow(decision.motion, effect, drive);
+      if (follow(decision.motion, effect, drive)) noteMap(known_map, effect, drive);
     }
     drive.progress.see(verdict.way, now);
     noteBlocker(verdict.blocker, now, drive);
@@ -173,15 +181,16 @@ void DecisionLoop::handOver(const Snapshot& snapshot, const Verdict& verdict, do
 }
 
 // Unless it leads into an obstacle of a map that the planner does not know.
-void DecisionLoop::follow(const StepMotion& motion, double effect, Drive& drive) const {
+bool DecisionLoop::follow(const StepMotion& motion, double effect, Drive& drive) const {
   const bool is_planned = drive.inputs.map == present_.map;
   if (!is_planned && drive.inputs.map && obstacles_.hits(motion, *drive.inputs.map)) {
     drive.executor.stop();
     drive.reflex_or_miss = StopCause::kObstacle;
-    return;
+    return false;
   }
   drive.executor.follow(motion, effect);
   drive.reflex_or_miss = StopCause::kNone;
+  return true;
 }
 
 }  // namespace pomdp_crowd_nav

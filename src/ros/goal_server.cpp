@@ -53,15 +53,18 @@ void GoalServer::onGoal(Server::GoalHandle handle) {
   }
   callbacks_.start(goal);
   // A cancel before the start found no trip of this goal to end.
-  if (handle.getGoalStatus().status == GoalStatus::PREEMPTING) callbacks_.cancel();
+  if (handle.getGoalStatus().status == GoalStatus::PREEMPTING) callbacks_.cancel(goal.number);
 }
 
+// A newer goal may take over at any moment.
 void GoalServer::onCancel(Server::GoalHandle handle) {
+  long number = 0;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (active_number_ == 0 || !(active_ == handle)) return;
+    number = active_number_;
   }
-  callbacks_.cancel();
+  callbacks_.cancel(number);
 }
 
 void GoalServer::finish(const Ending& ending) {

@@ -16,7 +16,6 @@ InputListener::InputListener(ros::NodeHandle& node, const PlannerNodeParams& par
                              Guarded<Drive>& drive)
     : drive_(drive),
       frames_({params.frames.global, params.navigation.transform_tolerance}),
-      clock_(steadySeconds()),
       gate_(frames_, clock_, [this] { onClockJump(); }),
       people_(node, params, gate_, drive),
       odometry_(node, params.navigation.planning.model.vehicle, gate_, drive,
@@ -33,7 +32,7 @@ std::optional<Pose> InputListener::frameAt(const std::string& frame, const ros::
 }
 
 void InputListener::watchClock() {
-  const ClockWatch::Look look = clock_.look(ros::Time::now().toSec(), steadySeconds());
+  const ClockWatch::Look look = clock_.look();
   if (look.jumped) onClockJump();
   drive_.with([&](Drive& drive) { drive.inputs.clock_at = look.moved_at; });
 }

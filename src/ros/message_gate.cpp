@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "pomdp_crowd_nav/ros/steady_time.h"
-
 namespace pomdp_crowd_nav {
 
 // In seconds: the difference of two ros::Time throws where it does not fit into a ros::Duration.
@@ -16,19 +14,18 @@ MessageFault faultOfStamp(double stamp, double now, const NewestStamp& newest, l
 }
 
 HeaderVerdict MessageGate::judge(const std_msgs::Header& header, const NewestStamp& newest) const {
-  const ros::Time ros_now = ros::Time::now();
-  const double now = steadySeconds();
-  const ClockWatch::Look look = clock_.look(ros_now.toSec(), now);
+  const ClockWatch::Look look = clock_.look();
   if (look.jumped) on_jump_();
   HeaderVerdict verdict;
   verdict.epoch = look.epoch;
   verdict.stamp = header.stamp.toSec();
   // A stamp of the future is now.
-  verdict.measured_at = now - std::max(0.0, ros_now.toSec() - verdict.stamp);
-  verdict.fault = faultOfStamp(verdict.stamp, ros_now.toSec(), newest, look.epoch);
+  verdict.measured_at = look.now - std::max(0.0, look.ros_time - verdict.stamp);
+  verdict.fault = faultOfStamp(verdict.stamp, look.ros_time, newest, look.epoch);
   if (verdict.fault != MessageFault::kNone) return verdict;
+  const bool is_ahead = verdict.stamp > look.ros_time;
   const FrameSource::Frame frame =
-      frames_.frameAt(header.frame_id, std::min(header.stamp, ros_now));
+      frames_.frameAt(header.frame_id, is_ahead ? ros::Time(look.ros_time) : header.stamp);
   verdict.frame = frame.pose;
   verdict.fault = frame.fault;
   return verdict;

@@ -62,8 +62,14 @@ void NavigationDisplay::showBeliefs(const CrowdBelief& crowd) {
     beliefs_.publish(toMessage(crowd, destinations_, header()));
   }
   if (belief_markers_.getNumSubscribers() == 0) return;
+  // Not drawn under the lock, for which the end of a trip would have to wait, and commands with it.
+  const std::vector<std::int64_t> attended = this->attended();
+  belief_markers_.publish(beliefMarkers({crowd, destinations_, attended, symbol_size_}, header()));
+}
+
+std::vector<std::int64_t> NavigationDisplay::attended() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  belief_markers_.publish(beliefMarkers({crowd, destinations_, attended_, symbol_size_}, header()));
+  return attended_;
 }
 
 void NavigationDisplay::clearPlans() {

@@ -17,6 +17,7 @@ constexpr double kReportPeriod = 0.25;     // [s], of beliefs; status comes with
 constexpr int kReportsPerDiagnostics = 4;  // 1 Hz
 constexpr int kReportsBeforeWarning = 5;   // of the status: 2.5 s
 constexpr int kReportsPerWarning = 20;     // 10 s
+constexpr const char* kClosing = "the planner is being shut down";
 
 Drive makeDrive(const NavigationParams& params) {
   Drive drive(MotionExecutor(params.command, params.planning.model.vehicle,
@@ -39,7 +40,10 @@ NavigationServer::NavigationServer(ros::NodeHandle node, ros::NodeHandle private
       status_(node, private_node, params.frames.base),
       commands_(node.advertise<geometry_msgs::Twist>("cmd_vel", 1)),
       goals_(node, {[this](const auto& goal, std::string& why) { return checkGoal(goal, why); },
-                    [this](const Goal& goal) { startTrip(goal); }, [this] { cancelTrip(); }}),
+                    [this](const Goal& goal) { startTrip(goal); },
+                    [this](long number) {
+                      drive_.with([&](Drive& drive) { cancelTrip(number, steadySeconds(), drive); });
+                    }}),
       pause_(private_node.advertiseService("pause", &NavigationServer::onPause, this)),
       make_plan_(private_node, params, drive_, map_work_,
                  [this](const auto& goal, std::string& why) { return checkGoal(goal, why); }),
@@ -74,6 +78,10 @@ ros::SteadyTimer NavigationServer::startTimer(ros::NodeHandle& node, double peri
 
 std::optional<Pose> NavigationServer::checkGoal(const geometry_msgs::PoseStamped& goal,
                                                 std::string& reason) {
+  if (drive_.with([](Drive& drive) { return drive.closing; })) {
+    reason = kClosing;
+    return std::nullopt;
+  }
   const std::optional<Pose> local = toPose(goal.pose);
   if (!local) {
     reason = "goal is not finite or its orientation is no rotation";
@@ -93,29 +101,14 @@ std::optional<Pose> NavigationServer::checkGoal(const geometry_msgs::PoseStamped
 }
 
 void NavigationServer::startTrip(const Goal& goal) {
-  const auto unfinished = drive_.with([&](Drive& drive) {
-    const auto ending = drive.ending;
-    drive.ending.reset();
-    // A newer goal of a robot that is driving is driven to without a stop.
-    if (!drive.hasGoal()) {
-      drive.prepared = false;
-      drive.first_goal = goal.number;
-    }
-    drive.goal = goal;
-    drive.approaches = 0;
-    drive.progress.begin(steadySeconds());
-    drive.blocker = Blocker();
-    drive.counts = TripCounts();
-    drive.search = SearchStatistics();
-    return ending;
-  });
+  const double now = steadySeconds();
+  std::optional<Ending> unfinished;
+  const bool begins =
+      drive_.with([&](Drive& drive) { return beginTrip(goal, now, drive, unfinished); });
   if (unfinished) goals_.finish(*unfinished);
+  if (!begins) return goals_.finish({goal, Outcome::kFailed, kClosing, now});
   display_.showGoal(goal);
   ROS_INFO("new goal (%.2f, %.2f)", goal.pose.position.x(), goal.pose.position.y());
-}
-
-void NavigationServer::cancelTrip() {
-  drive_.with([](Drive& drive) { pomdp_crowd_nav::cancelTrip(steadySeconds(), drive); });
 }
 
 void NavigationServer::failTrip(const Goal& goal, const std::string& reason) {
@@ -201,7 +194,10 @@ bool NavigationServer::onPause(PauseService::Request& request, PauseService::Res
 }
 
 void NavigationServer::stopBase() {
-  cancelTrip();
+  drive_.with([](Drive& drive) {
+    drive.closing = true;
+    cancelTrip(steadySeconds(), drive);
+  });
   const double give_up = steadySeconds() + 2.0;
   while (is_active_ && steadySeconds() < give_up) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));

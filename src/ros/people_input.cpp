@@ -59,7 +59,7 @@ void PeopleInput::take(Sweep sweep) {
   if (gate_.isOutdated(sweep.verdict)) return;
   newest_[sweep.topic] = sweep.verdict.newest();
   const double now = steadySeconds();
-  const PeopleChoice::Answer answer = choice_.hear(sweep.topic, now);
+  const PeopleChoice::Answer answer = choice_.hear(sweep.topic, sweep.tracks.tracks.size(), now);
   if (answer == PeopleChoice::Answer::kIgnore) {
     ROS_WARN_THROTTLE(10.0, "people come on two topics: %s is used, %s ignored",
                       topics_[1 - sweep.topic].c_str(), topics_[sweep.topic].c_str());

@@ -23,6 +23,7 @@ void onShutdown(XmlRpc::XmlRpcValue&, XmlRpc::XmlRpcValue& result) {
 void catchShutdownRequests() {
   std::signal(SIGINT, request);
   std::signal(SIGTERM, request);
+  if (std::signal(SIGHUP, request) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // started by nohup
   ros::XMLRPCManager::instance()->unbind("shutdown");
   ros::XMLRPCManager::instance()->bind("shutdown", onShutdown);
 }

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pomdp_crowd_nav/ros/velocity_guard_server.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <thread>
 
 #include "pomdp_crowd_nav/ros/conversions.h"
+#include "pomdp_crowd_nav/ros/message_gate.h"
 #include "pomdp_crowd_nav/ros/steady_time.h"
 
 namespace pomdp_crowd_nav {
@@ -16,10 +19,24 @@ constexpr double kReportPeriod = 0.5;      // [s]
 constexpr int kReportsPerDiagnostics = 2;  // 1 Hz
 constexpr double kClockSlack = 0.1;        // [s], a system clock may be set back this much
 
-// Moment on the steady clock at which a message was measured; a stamp of the future is now.
-double measuredAt(const ros::Time& stamp, const ros::Time& now) {
-  return steadySeconds() - std::max(0.0, (now - stamp).toSec());
+// Of one topic messages may come in any order: several sensors may share it.
+MessageFault faultOf(const std_msgs::Header& header, double now) {
+  return faultOfStamp(header.stamp.toSec(), now, NewestStamp(), 0);
 }
+
+// Moment on the steady clock at which a message was measured; a stamp of the future is now. In
+// seconds, as the difference of two ros::Time throws where it does not fit into a ros::Duration.
+double measuredAt(const std_msgs::Header& header, double now) {
+  return steadySeconds() - std::max(0.0, now - header.stamp.toSec());
+}
+
+bool isOfTransform(MessageFault fault) {
+  return fault == MessageFault::kNoTransform || fault == MessageFault::kOldTransform ||
+         fault == MessageFault::kBadTransform;
+}
+
+size_t countPeople(const TrackedPersons& message) { return message.tracks.size(); }
+size_t countPeople(const People& message) { return message.people.size(); }
 
 std::uint8_t stateOf(const VelocityGuard::Output& output) {
   if (!output.command) return GuardStatus::IDLE;
@@ -52,9 +69,8 @@ NavigationParams loadGuardNodeParams(ParamReader& reader) {
 
 VelocityGuardServer::VelocityGuardServer(ros::NodeHandle node, ros::NodeHandle private_node,
                                          const NavigationParams& params)
-    : tolerance_(params.transform_tolerance),
-      state_(State(VelocityGuard(params.guard, params.planning.model.vehicle))),
-      transforms_(buffer_),
+    : state_(State(VelocityGuard(params.guard, params.planning.model.vehicle))),
+      frames_({"", params.transform_tolerance}),
       commands_(node.advertise<geometry_msgs::Twist>("cmd_vel", 1)),
       statuses_(private_node.advertise<GuardStatus>("status", 10, true)),
       diagnostics_(node, private_node),
@@ -64,7 +80,13 @@ VelocityGuardServer::VelocityGuardServer(ros::NodeHandle node, ros::NodeHandle p
   const auto hints = ros::TransportHints().tcpNoDelay();
   raw_commands_ = node.subscribe("cmd_vel_raw", 1, &VelocityGuardServer::onCommand, this, hints);
   odometry_ = node.subscribe("odom", 1, &VelocityGuardServer::onOdometry, this, hints);
-  persons_ = node.subscribe("tracked_persons", 1, &VelocityGuardServer::onPersons, this, hints);
+  people_ = {node.subscribe<TrackedPersons>(
+                 "tracked_persons", 1,
+                 [this](const TrackedPersonsConstPtr& message) { onPeople(0, *message); },
+                 ros::VoidConstPtr(), hints),
+             node.subscribe<People>(
+                 "people", 1, [this](const PeopleConstPtr& message) { onPeople(1, *message); },
+                 ros::VoidConstPtr(), hints)};
   diagnostics_.setHardwareID("none");
   diagnostics_.add("velocity guard", this, &VelocityGuardServer::diagnose);
   command_timer_ = startTimer(node, 1.0 / params.guard.frequency, &command_queue_,
@@ -90,65 +112,74 @@ void VelocityGuardServer::onCommand(const geometry_msgs::Twist& twist) {
 }
 
 void VelocityGuardServer::onOdometry(const nav_msgs::Odometry& odometry) {
-  const ros::Time now = ros::Time::now();
+  const double now = ros::Time::now().toSec();
   noticeClockJump(now);
+  const MessageFault fault = faultOf(odometry.header, now);
+  if (fault != MessageFault::kNone) return refuseOdometry(fault);
+  takeOdometry(odometry, measuredAt(odometry.header, now));
+}
+
+void VelocityGuardServer::takeOdometry(const nav_msgs::Odometry& odometry, double measured_at) {
   const std::optional<Pose> pose = toPose(odometry.pose.pose);
   const std::optional<BaseCommand> velocity = toCommand(odometry.twist.twist);
-  const double measured_at = measuredAt(odometry.header.stamp, now);
   state_.with([&](State& state) {
     state.odom_frame = odometry.header.frame_id;
     if (pose && velocity) return state.guard.takeMotion(*pose, *velocity, measured_at);
     state.guard.noteBadOdometry(steadySeconds());
+    state.odometry_fault = describe(MessageFault::kNotFinite);
     ++state.counts.bad_odometry;
   });
 }
 
-void VelocityGuardServer::onPersons(const TrackedPersons& persons) {
-  const ros::Time now = ros::Time::now();
+void VelocityGuardServer::refuseOdometry(MessageFault fault) {
+  state_.with([&](State& state) {
+    state.guard.noteBadOdometry(steadySeconds(), GuardCause::kOdometryRefused);
+    state.odometry_fault = describe(fault);
+    ++state.counts.bad_odometry;
+  });
+}
+
+template <class Message>
+void VelocityGuardServer::onPeople(size_t source, const Message& message) {
+  const double now = ros::Time::now().toSec();
   noticeClockJump(now);
-  const double measured_at = measuredAt(persons.header.stamp, now);
+  const std_msgs::Header& header = message.header;
+  const MessageFault fault = faultOf(header, now);
+  if (fault != MessageFault::kNone) return refusePeople(source, header, fault);
   const std::string target = state_.with([](State& state) { return state.odom_frame; });
   if (target.empty()) return;  // there is no odometry to relate them to
-  const std::optional<Pose> frame = frameOf(persons.header, target);
-  const TrackList people = frame ? toTracks(persons, *frame) : TrackList();
-  const bool are_nowhere = frame && people.tracks.empty() && !persons.tracks.empty();
-  if (are_nowhere) return;  // somebody is there, and nobody knows where
+  const FrameSource::Frame frame = frames_.frameIn(target, header.frame_id, header.stamp);
+  if (frame.fault != MessageFault::kNone) return refusePeople(source, header, frame.fault);
+  const TrackList people = toTracks(message, frame.pose);
+  const bool are_nowhere = people.tracks.empty() && countPeople(message) > 0;
+  if (are_nowhere) return refusePeople(source, header, MessageFault::kNotFinite);
+  const double measured_at = measuredAt(header, now);
+  state_.with([&](State& state) { state.guard.takePeople(people, measured_at, source); });
+}
+
+void VelocityGuardServer::refusePeople(size_t source, const std_msgs::Header& header,
+                                       MessageFault fault) {
+  const bool lacks_frame = isOfTransform(fault);
   state_.with([&](State& state) {
-    if (frame) return state.guard.takePeople(people, measured_at);
-    state.guard.noteMissingTransform(steadySeconds());
-    ++state.counts.transform_failures;
+    state.guard.noteBadPeople(steadySeconds(), lacks_frame ? GuardCause::kNoTransform
+                                                           : GuardCause::kPeopleRefused);
+    const std::string detail =
+        lacks_frame ? fmt::format("from '{}' to '{}'", header.frame_id, state.odom_frame)
+                    : std::string(describe(fault));
+    state.people_fault = fmt::format("{}: {}", people_[source].getTopic(), detail);
+    ++(lacks_frame ? state.counts.transform_failures : state.counts.refused_people);
   });
-  if (frame) return;
-  ROS_WARN_THROTTLE(5.0, "no transform from '%s' to '%s'", persons.header.frame_id.c_str(),
-                    target.c_str());
 }
 
-// At the message's stamp, else the newest one if it is not older than the tolerance.
-std::optional<Pose> VelocityGuardServer::frameOf(const std_msgs::Header& header,
-                                                 const std::string& target) const {
-  if (header.frame_id == target) return Pose{};
-  try {
-    std::string error;
-    if (buffer_.canTransform(target, header.frame_id, header.stamp, &error)) {
-      return toPose(buffer_.lookupTransform(target, header.frame_id, header.stamp).transform);
-    }
-    const auto newest = buffer_.lookupTransform(target, header.frame_id, ros::Time(0));
-    if (header.stamp - newest.header.stamp > tolerance_) return std::nullopt;
-    return toPose(newest.transform);
-  } catch (const std::exception&) {
-    return std::nullopt;
-  }
-}
-
-void VelocityGuardServer::noticeClockJump(const ros::Time& now) {
+void VelocityGuardServer::noticeClockJump(double now) {
   const bool jumped = state_.with([&](State& state) {
-    const bool back = now + ros::Duration(kClockSlack) < state.last_time;
+    const bool back = now + kClockSlack < state.last_time;
     state.last_time = back ? now : std::max(state.last_time, now);
     if (back) state.guard.noteClockJump(steadySeconds());
     return back;
   });
   if (!jumped) return;
-  buffer_.clear();
+  frames_.clear();
   ROS_WARN("the clock jumped back: the base is braked until inputs are fresh");
 }
 
@@ -172,7 +203,22 @@ void VelocityGuardServer::onCommandTimer() {
 
 void VelocityGuardServer::onReportTimer() {
   statuses_.publish(status());
-  if (++reports_ % kReportsPerDiagnostics == 0) diagnostics_.force_update();
+  if (++reports_ % kReportsPerDiagnostics != 0) return;
+  try {
+    diagnostics_.force_update();
+  } catch (const std::exception& error) {  // it throws when ROS time is near its end
+    ROS_WARN_THROTTLE(10.0, "diagnostics: %s", error.what());
+  }
+}
+
+// With what is wrong with the messages where they are refused.
+std::string VelocityGuardServer::causeOf(GuardCause cause, const State& state) {
+  const bool is_odometry = cause == GuardCause::kOdometryRefused;
+  const bool is_people = cause == GuardCause::kPeopleRefused || cause == GuardCause::kNoTransform;
+  std::string text = describe(cause);
+  if (is_odometry) text += ": " + state.odometry_fault;
+  if (is_people) text += ": " + state.people_fault;
+  return text;
 }
 
 GuardStatus VelocityGuardServer::status() {
@@ -181,7 +227,8 @@ GuardStatus VelocityGuardServer::status() {
     GuardStatus result = state.counts;
     const VelocityGuard::Output& output = state.output;
     result.state = stateOf(output);
-    result.stop_cause = describe(output.cause);
+    result.stop_cause = causeOf(output.cause, state);
+    result.people_fault = state.people_fault;
     result.blocking_person = output.person;
     result.command_age = state.guard.commandAge(now);
     result.odom_age = state.guard.odometryAge(now);
@@ -207,8 +254,10 @@ void VelocityGuardServer::diagnose(diagnostic_updater::DiagnosticStatusWrapper& 
   out.add("blocking person", now.blocking_person);
   out.add("stops", now.stops);
   out.add("commands not finite", now.bad_commands);
-  out.add("odometry messages not finite", now.bad_odometry);
+  out.add("odometry messages refused", now.bad_odometry);
   out.add("messages without transform", now.transform_failures);
+  out.add("messages of people refused", now.refused_people);
+  out.add("last fault of people", now.people_fault);
 }
 
 void VelocityGuardServer::stopBase() {

@@ -87,7 +87,6 @@ class InputChecker {
         params_(readParams(options.node)),
         body_{params_.vehicle},
         frames_({params_.global_frame, params_.transform_tolerance}),
-        clock_watch_(steadySeconds()),
         gate_(frames_, clock_watch_, [] {}),
         clock_(node_, "/clock", 0.0, [](const auto&, HeardInput&) { return MessageFault::kNone; }),
         odometry_(node_, "odom", params_.odom_timeout, judgeStamped<nav_msgs::Odometry>()),
@@ -107,7 +106,7 @@ class InputChecker {
     const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(options_.duration);
     while (ros::ok() && ros::WallTime::now() < end) {
       ros::WallDuration(0.05).sleep();
-      clock_moved_at_ = clock_watch_.look(ros::Time::now().toSec(), steadySeconds()).moved_at;
+      clock_moved_at_ = clock_watch_.look().moved_at;
     }
     publishers_ = nodesByTopic(0);
     subscribers_ = nodesByTopic(1);

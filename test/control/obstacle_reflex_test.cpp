@@ -44,6 +44,29 @@ TEST(ObstacleReflex, LetsARobotOutOfAnObstacle) {
   EXPECT_TRUE(kReflex.mustBrake({{9.8, 10.0}, 0.0, 0.5}, map));
 }
 
+// As after a map update: in a grid all that is inside an obstacle is at the same distance of it.
+TEST(ObstacleReflex, LetsARobotInsideABlockOfAGridOutAndNoDeeper) {
+  OccupancyGrid grid;
+  grid.resolution = 0.1;
+  grid.columns = grid.rows = 200;
+  grid.blocked.assign(200 * 200, 0);
+  for (int row = 0; row < 200; ++row) {
+    for (int column = 100; column < 180; ++column) grid.blocked[row * 200 + column] = 1;
+  }
+  StaticMap::Obstacles obstacles;
+  obstacles.grid = grid;
+  const StaticMap map(Bounds{Point(0.0, 0.0), Point(20.0, 20.0)}, obstacles);
+  const auto brakes = [&](double heading, double speed) {
+    return kReflex.mustBrake({{10.35, 10.0}, heading, speed}, map);
+  };
+  EXPECT_TRUE(brakes(0.0, 0.5)) << "deeper";
+  EXPECT_TRUE(brakes(0.0, 0.1)) << "slowly too";
+  EXPECT_TRUE(brakes(M_PI_2, 0.5)) << "along inside";
+  EXPECT_FALSE(brakes(M_PI, 0.5)) << "out";
+  EXPECT_FALSE(brakes(M_PI, 0.1)) << "slowly too";
+  EXPECT_FALSE(brakes(0.0, 0.0)) << "it may stand";
+}
+
 TEST(ObstacleReflex, LooksAlongAMotionToRest) {
   const StaticMap map = wall();
   const auto start = [](double x, double heading) {

@@ -189,10 +189,55 @@ TEST_F(GuardedDrive, MissingTransformIsNamed) {
   driveAtFullSpeed();
   has_people_ = false;
   for (int i = 0; i < 60; ++i) {
-    guard_.noteMissingTransform(now_);
+    guard_.noteBadPeople(now_, GuardCause::kNoTransform);
     run(kPeriod);
   }
   EXPECT_EQ(output_.cause, GuardCause::kNoTransform);
+}
+
+TEST_F(GuardedDrive, RefusedPeopleAreNamed) {
+  driveAtFullSpeed();
+  has_people_ = false;
+  run(0.5);
+  guard_.noteBadPeople(now_, GuardCause::kPeopleRefused);
+  expectRest(0.5 + 1.0 + 0.2, GuardCause::kPeopleRefused);
+}
+
+TEST_F(GuardedDrive, OneOfTwoSourcesOfPeopleIsEnough) {
+  driveAtFullSpeed();
+  has_people_ = false;
+  for (int i = 0; i < 20; ++i) {
+    guard_.takePeople(TrackList(), now_, 1);
+    run(0.1);
+  }
+  EXPECT_NEAR(base_.velocity().x(), 1.0, 1e-3);
+  expectRest(1.0 + 1.0 + 0.2, GuardCause::kNoPeople);
+}
+
+// The other source goes on to see nobody.
+TEST_F(GuardedDrive, WhoeverOneOfTwoSourcesReportsCounts) {
+  driveAtFullSpeed();
+  TrackList somebody;
+  somebody.tracks = {{7, base_.pose().position + Point(3.0, 0.0), {0.0, 0.0}}};
+  for (int i = 0; i < 40; ++i) {
+    guard_.takePeople(somebody, now_, 1);
+    run(0.1);
+  }
+  EXPECT_EQ(base_.velocity().norm(), 0.0);
+  EXPECT_EQ(output_.cause, GuardCause::kPerson);
+  EXPECT_EQ(output_.person, 7);
+}
+
+TEST_F(GuardedDrive, SomebodyTooFastToBeTrueStandsInTheWay) {
+  driveAtFullSpeed();
+  people_.tracks = {{7, base_.pose().position + Point(3.0, 0.0), {0.0, 1e6}}};
+  TrackList standing = people_;
+  has_people_ = false;
+  for (int i = 0; i < 30; ++i) {
+    guard_.takePeople(standing, now_);
+    run(0.1);
+  }
+  EXPECT_EQ(output_.cause, GuardCause::kPerson);
 }
 
 TEST_F(GuardedDrive, ClockThatJumpsBrakesUntilInputsAreFresh) {
@@ -259,6 +304,24 @@ TEST_F(GuardedDrive, AGuardThatStartsWhileTheBaseDrivesTakesItOver) {
   guard_ = VelocityGuard(params(), movo());
   run(0.3);
   EXPECT_GT(base_.velocity().norm(), 0.85) << "it goes on from the measured speed";
+}
+
+TEST_F(GuardedDrive, ANewGuardBesideADeadPlannerBrakesTheBase) {
+  driveAtFullSpeed();
+  guard_ = VelocityGuard(params(), movo());
+  has_command_ = false;
+  expectRest(0.25 + 1.0 + 0.1, GuardCause::kNoCommand);
+  run(0.5);
+  EXPECT_FALSE(output_.command) << "then it is silent";
+}
+
+// Somebody else drives it, by hand.
+TEST_F(GuardedDrive, ABaseThatBeginsToMoveBesideANewGuardIsNotItsBusiness) {
+  run(0.5);
+  sent_ = {{0.5, 0.0}, 0.0};
+  run(2.0);
+  EXPECT_FALSE(output_.command);
+  EXPECT_NEAR(base_.velocity().x(), 0.5, 1e-3);
 }
 
 // Whatever comes in: finite, within the limits, never faster than the last command, zero within the

@@ -157,7 +157,7 @@ reward: {goal: 901.0, pedestrian: -91.0, obstacle: -92.0, sudden_brake: -9.0, ti
          low_speed: -1.2}
 search: {scenarios: 61, regularization: 0.02, target_gap: 0.9, max_nodes: 12345,
          max_memory: 77.0, threads: 3}
-prior: {resolution: 0.3, extra_clearance: 0.31, blocked_speed: 0.02, milestones: 501, neighbours: 7,
+prior: {resolution: 0.3, extra_clearance: 0.31, blocked_speed: 0.02, narrow_speed: 0.2, milestones: 501, neighbours: 7,
         milestone_spacing: 1.1, seed: 13}
 path: {pace: 1.4, time_share: 0.4, max_expansions: 4321, pedestrian_noise: 0.07, cell: 0.6,
        cost_discount: 0.98, way_weight: 0.9, heading_weight: 9.0, field_strength: 8.0,
@@ -218,6 +218,7 @@ uniform_respawn: true
   EXPECT_EQ(n.planning.prior.resolution, 0.3);
   EXPECT_EQ(n.planning.prior.extra_clearance, 0.31);
   EXPECT_EQ(n.planning.prior.blocked_speed, 0.02);
+  EXPECT_EQ(n.planning.prior.narrow_speed, 0.2);
   EXPECT_EQ(n.planning.prior.milestones, 501);
   EXPECT_EQ(n.planning.prior.neighbours, 7);
   EXPECT_EQ(n.planning.prior.milestone_spacing, 1.1);

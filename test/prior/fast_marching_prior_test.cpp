@@ -29,21 +29,26 @@ std::string rejection(const PriorParams& params) {
   return "accepted";
 }
 
-TEST(FastMarchingPriorTest, SpeedFallsInsideTheClearanceAndAgainInsideTheObstacle) {
+TEST(FastMarchingPriorTest, SpeedFallsInsideTheClearanceAndAgainBesideTheObstacle) {
   PriorParams params;
   params.clearance = 3.0;
   params.extra_clearance = 0.5;
+  params.robot_radius = 1.0;
   params.blocked_speed = 0.02;
-  const SpeedMap map = makeSpeedMap(mapWith({{{20.1, 20.1}, 5.0}}), params);
+  params.narrow_speed = 0.2;
+  const SpeedMap map = makeSpeedMap(mapWith({{{20.1, 20.1}, 4.9}}), params);  // to x = 25
   const auto speedAt = [&](double x) {
     const Point place(x, 20.1);
     return map.speed[map.grid.index(map.grid.columnOf(place), map.grid.rowOf(place))];
   };
   EXPECT_EQ(map.grid.columns, 200);
-  EXPECT_FLOAT_EQ(speedAt(20.1 + 8.7), 1.0F);
-  EXPECT_FLOAT_EQ(speedAt(20.1 + 8.3), 0.02F);
-  EXPECT_FLOAT_EQ(speedAt(20.1 + 5.1), 0.02F);
-  EXPECT_FLOAT_EQ(speedAt(20.1 + 4.9), 0.002F);
+  EXPECT_FLOAT_EQ(speedAt(28.7), 1.0F);
+  EXPECT_FLOAT_EQ(speedAt(28.3), 0.2F);
+  EXPECT_FLOAT_EQ(speedAt(26.1), 0.2F) << "there is room for the robot";
+  EXPECT_FLOAT_EQ(speedAt(25.9), 0.02F);
+  EXPECT_FLOAT_EQ(speedAt(25.3), 0.02F);
+  EXPECT_FLOAT_EQ(speedAt(25.1), 0.002F) << "the obstacle may touch the cell";
+  EXPECT_FLOAT_EQ(speedAt(24.9), 0.002F);
 }
 
 TEST(FastMarchingPriorTest, PointsAtTheGoalOnAFreeField) {
@@ -141,6 +146,33 @@ TEST(FastMarchingPriorTest, WallOfOneCellIsGoneRound) {
   EXPECT_NEAR(prior.distanceToGoal({19.7, 10.0}), 15.1 + std::hypot(2.9, 15.1), 1.0);
 }
 
+// A wall of no thickness right across the field, with a door of 1 m. It has room for the robot, but
+// leaves it less than is wanted on either side.
+TEST(FastMarchingPriorTest, ANarrowDoorIsTakenAndTheThinWallBesideItNeverCrossed) {
+  constexpr double kWall = 20.0, kLow = 29.5, kHigh = 30.5;  // [m]
+  StaticMap::Obstacles obstacles;
+  obstacles.polygons = {{{{kWall, 0.0}, {kWall, kLow}}, false},
+                        {{{kWall, kHigh}, {kWall, 40.0}}, false}};
+  const StaticMap map(Bounds{{0.0, 0.0}, {40.0, 40.0}}, obstacles);
+  PriorParams params;
+  params.robot_radius = 0.3;
+  params.clearance = 0.7;
+  const FastMarchingPrior prior(map, {30.0, 5.0}, params);
+  for (double y = 1.1; y < 39.0; y += 3.7) {
+    Point place(15.0, y);
+    double length = 0.0;
+    for (; (place - prior.goal()).norm() > 0.1 && length < 100.0; length += 0.05) {
+      const Point next = place + 0.05 * unitVector(*prior.directionAt({place, 0.0}));
+      if ((place.x() < kWall) != (next.x() < kWall)) {
+        ASSERT_GT(next.y(), kLow + 0.3) << "from y " << y;
+        ASSERT_LT(next.y(), kHigh - 0.3) << "from y " << y;
+      }
+      place = next;
+    }
+    EXPECT_LT(length, 100.0) << "from y " << y;
+  }
+}
+
 TEST(FastMarchingPriorTest, DistanceIsTrueLengthForAGoalInsideTheClearance) {
   const StaticMap map = mapWith({{{20.0, 20.0}, 5.0}});
   const FastMarchingPrior prior(map, {26.5, 20.0}, PriorParams());
@@ -161,6 +193,10 @@ TEST(FastMarchingPriorTest, RejectsParametersOutOfRange) {
   EXPECT_EQ(rejection(params), "prior.blocked_speed must be in (0, 1), got 1.2");
   params.blocked_speed = 0.0;
   EXPECT_EQ(rejection(params), "prior.blocked_speed must be in (0, 1), got 0");
+  params = PriorParams();
+  params.narrow_speed = 0.001;
+  EXPECT_EQ(rejection(params),
+            "prior.narrow_speed must be between prior.blocked_speed and 1, got 0.001");
   params = PriorParams();
   params.resolution = -0.1;
   EXPECT_EQ(rejection(params), "prior.resolution must be positive, got -0.1");

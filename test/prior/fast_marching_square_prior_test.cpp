@@ -61,7 +61,7 @@ TEST(FastMarchingSquare, TheFrontIsFasterFartherFromObstacles) {
   EXPECT_NEAR(speedAt(map, {30.0, 27.0}), 3.0 / 8.0, cell / 8.0);  // 3 m off
   EXPECT_NEAR(speedAt(map, {30.0, 30.0}), 6.0 / 8.0, cell / 8.0);
   EXPECT_EQ(speedAt(map, {30.0, 33.0}), 1.0F) << "beyond the saturation distance";
-  EXPECT_EQ(speedAt(map, {30.0, 25.0}), 0.01F) << "inside the clearance";
+  EXPECT_EQ(speedAt(map, {30.0, 25.0}), 0.1F) << "inside the clearance, with room for the robot";
   EXPECT_EQ(speedAt(map, {30.0, 21.0}), 0.001F) << "inside the obstacle";
 }
 

@@ -161,6 +161,63 @@ TEST_F(CommandLoopTest, ObstacleOfANewMapIsBrakedFor) {
   EXPECT_GE(drive_.inputs.map->clearance(drive_.inputs.robot->pose.position), 0.5);
 }
 
+// The new planner stands, but the base still follows what the old one has decided.
+TEST_F(CommandLoopTest, ANewMapIsWatchedUntilAMotionThatKnowsItIsFollowed) {
+  cruise();
+  StaticMap::Obstacles obstacles;
+  const double ahead = drive_.inputs.robot->pose.position.x() + 1.8;
+  obstacles.circles.push_back({Point(ahead + 1.0, 0.0), 1.0});
+  drive_.inputs.map =
+      std::make_shared<const StaticMap>(Bounds{Point(-50.0, -50.0), Point(50.0, 50.0)}, obstacles);
+  drive_.planned_map = drive_.inputs.map;
+  drive_.planned_from = now_ + 10.0;
+  run(3.0);
+  EXPECT_EQ(speed(), 0.0);
+  EXPECT_EQ(stopCause(drive_, loop_.limits(), now_), StopCause::kObstacle);
+}
+
+TEST_F(CommandLoopTest, ReactionTimeThatIsChangedInFlightCountsForMapsToo) {
+  NavigationParams changed = params().navigation;
+  changed.emergency.reaction_time = 2.0;
+  loop_.setParams(changed);
+  cruise();
+  drive_.planned_map = drive_.inputs.map;
+  StaticMap::Obstacles obstacles;
+  const double ahead = drive_.inputs.robot->pose.position.x() + 2.2;
+  obstacles.circles.push_back({Point(ahead + 1.0, 0.0), 1.0});
+  drive_.inputs.map =
+      std::make_shared<const StaticMap>(Bounds{Point(-50.0, -50.0), Point(50.0, 50.0)}, obstacles);
+  run(0.3);
+  EXPECT_EQ(stopCause(drive_, loop_.limits(), now_), StopCause::kObstacle);
+}
+
+TEST_F(CommandLoopTest, ACancelThatComesLateEndsNoNewerTrip) {
+  std::optional<Ending> unfinished;
+  ASSERT_TRUE(beginTrip({2, Pose{Point(30.0, 0.0), 0.0}}, now_, drive_, unfinished));
+  cancelTrip(1, now_, drive_);
+  EXPECT_EQ(drive_.goal.number, 2);
+  EXPECT_FALSE(drive_.ending);
+  cancelTrip(2, now_, drive_);
+  EXPECT_FALSE(drive_.hasGoal());
+  ASSERT_TRUE(drive_.ending);
+  EXPECT_EQ(drive_.ending->goal.number, 2);
+  EXPECT_EQ(drive_.ending->outcome, Outcome::kCancelled);
+}
+
+TEST_F(CommandLoopTest, AnOlderTripDoesNotBeginAfterANewerOne) {
+  std::optional<Ending> unfinished;
+  ASSERT_TRUE(beginTrip({3, Pose{Point(30.0, 0.0), 0.0}}, now_, drive_, unfinished));
+  EXPECT_FALSE(beginTrip({2, Pose{Point(10.0, 0.0), 0.0}}, now_, drive_, unfinished));
+  EXPECT_EQ(drive_.goal.number, 3);
+}
+
+TEST_F(CommandLoopTest, NoTripBeginsWhileTheNodeEnds) {
+  std::optional<Ending> unfinished;
+  drive_.closing = true;
+  EXPECT_FALSE(beginTrip({2, Pose{Point(30.0, 0.0), 0.0}}, now_, drive_, unfinished));
+  EXPECT_EQ(drive_.goal.number, 1);
+}
+
 TEST_F(CommandLoopTest, BaseThatRollsPastTheGoalGoesBackToIt) {
   cruise();
   drive_.inputs.robot->pose.position = Point(19.9, 0.0);

@@ -126,6 +126,7 @@ TEST_F(GuardTest, DeadLocalisation) {
   expectRest({"guard: localisation dead", 2.6}, restsFor("no transform"));
   expectCause();
   EXPECT_GT(status_.transform_failures, 0u);
+  EXPECT_EQ(status_.people_fault, "/tracked_persons: from 'map' to 'odom'");
   robot_.is_transform_silent = false;
   drive();
 }
@@ -153,6 +154,30 @@ TEST_F(GuardTest, PersonInTheWay) {
   EXPECT_TRUE(robot_.isAtRest()) << "it stays there";
   robot_.command(-0.5, 0.0, 0.0);
   EXPECT_TRUE(waitUntil(3.0, [this] { return robot_.speed() > 0.4; })) << "and may back out";
+}
+
+// A robot whose only tracker speaks people_msgs.
+TEST_F(GuardTest, PersonOfPeopleMsgsInTheWay) {
+  robot_.is_tracker_of_people_msgs = true;
+  waitUntil(2.0, [] { return false; });
+  EXPECT_GT(robot_.speed(), 0.9) << status_.stop_cause;
+  robot_.putPerson(robot_.ahead(3.0, 0.3));
+  expectRest({"guard: person of people_msgs in the way", 4.4}, restsFor("person is in"));
+  expectCause();
+  EXPECT_EQ(status_.blocking_person, 7);
+  EXPECT_GT(robot_.nearest(), movo().radius + 0.3 - 0.05) << "of the centres";
+}
+
+// Odometry, people and transforms. The difference of such a stamp and ROS time is no ros::Duration,
+// and a later one no ros::Time: either throws. What comes afterwards counts again.
+TEST_F(GuardTest, StampsOfTheYear2106) {
+  robot_.are_stamps_absurd = true;
+  expectRest({"guard: stamps of the year 2106", 1.9}, restsFor("odometry is refused"));
+  expectCause();
+  EXPECT_GT(status_.refused_people, 0u);
+  EXPECT_EQ(status_.people_fault, "/tracked_persons: stamped in the future");
+  robot_.are_stamps_absurd = false;
+  drive();
 }
 
 }  // namespace

@@ -13,28 +13,33 @@
 #include <mutex>
 #include <thread>
 
+#include "foreign_message.h"
 #include "pomdp_crowd_nav/ros/conversions.h"
 #include "pomdp_crowd_nav/sim/base.h"
 
 namespace pomdp_crowd_nav {
 
 // What is around a velocity guard: a planner that commands whatever it is told to, a base with
-// limits and a watchdog, its localisation, a people tracker that sees at most one person, and the
-// clock. Each of them can be made to fail.
+// limits and a watchdog, its localisation, a people tracker that sees at most one person, of
+// spencer_tracking_msgs or of people_msgs, and the clock. Each of them can be made to fail.
 class GuardedRobot {
  public:
   std::atomic<bool> is_planner_silent{true};
   std::atomic<bool> is_odometry_silent{false};
   std::atomic<bool> is_odometry_nan{false};
   std::atomic<bool> are_people_silent{false};
+  std::atomic<bool> is_tracker_of_people_msgs{false};  // which then is the only one
   std::atomic<bool> is_transform_silent{false};
+  std::atomic<bool> has_watchdog{true};
+  std::atomic<bool> are_stamps_absurd{false};  // the last that a message can have, in 2106
   std::atomic<double> clock_offset{1000.0};  // [s]
 
   explicit GuardedRobot(const VehicleParams& vehicle) : base_(vehicle, Pose{}) {
     clock_ = node_.advertise<rosgraph_msgs::Clock>("/clock", 1);
     planner_ = node_.advertise<geometry_msgs::Twist>("cmd_vel_raw", 1);
     odometry_ = node_.advertise<nav_msgs::Odometry>("odom", 1);
-    people_ = node_.advertise<TrackedPersons>("tracked_persons", 1);
+    persons_ = node_.advertise<TrackedPersons>("tracked_persons", 1);
+    people_ = node_.advertise<Foreign<People>>("people", 1);
     commands_ = node_.subscribe("cmd_vel", 1, &GuardedRobot::onCommand, this,
                                 ros::TransportHints().tcpNoDelay());
     thread_ = std::thread([this] { run(); });
@@ -107,6 +112,7 @@ class GuardedRobot {
       rosgraph_msgs::Clock clock;
       clock.clock = stamp_;
       clock_.publish(clock);
+      if (are_stamps_absurd) stamp_ = ros::Time(std::numeric_limits<std::uint32_t>::max(), 999999999);
       if (!is_transform_silent) publishTransform();
       if (!is_odometry_silent) publishOdometry();
       if (!are_people_silent && i % 5 == 0) publishPeople();
@@ -119,7 +125,8 @@ class GuardedRobot {
   void move() {
     const std::lock_guard<std::mutex> lock(mutex_);
     time_ += kPeriod;
-    base_.follow(time_ - received_at_ <= kWatchdog ? received_ : BaseCommand(), kPeriod);
+    const bool is_obeyed = !has_watchdog || time_ - received_at_ <= kWatchdog;
+    base_.follow(is_obeyed ? received_ : BaseCommand(), kPeriod);
     speed_ = base_.velocity().norm();
     const Point here = transformed(kOdomInMap, base_.pose().position);
     if (person_.allFinite()) nearest_ = std::min(nearest_, (person_ - here).norm());
@@ -154,7 +161,16 @@ class GuardedRobot {
     std_msgs::Header header;
     header.frame_id = "map";
     header.stamp = stamp_;
-    people_.publish(toMessage(tracks, header));
+    if (!is_tracker_of_people_msgs) return persons_.publish(toMessage(tracks, header));
+    Foreign<People> people;
+    people.message.header = header;
+    for (const Track& track : tracks.tracks) {
+      Person person;
+      person.name = std::to_string(track.id);
+      person.position = toMessage(track.position);
+      people.message.people.push_back(person);
+    }
+    people_.publish(people);
   }
 
   void publishCommand() {
@@ -163,7 +179,7 @@ class GuardedRobot {
   }
 
   ros::NodeHandle node_;
-  ros::Publisher clock_, planner_, odometry_, people_;
+  ros::Publisher clock_, planner_, odometry_, persons_, people_;
   ros::Subscriber commands_;
   tf2_ros::TransformBroadcaster transforms_;
 

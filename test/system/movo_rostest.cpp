@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 #include <nav_msgs/OccupancyGrid.h>
 #include <ros/advertise_options.h>
+#include <ros/master.h>
+#include <ros/this_node.h>
 
 #include <vector>
 
@@ -89,6 +91,31 @@ TEST(Movo, TractorModeIsRequestedUntilTheBaseIsInItAndNotAgain) {
       return false;
     });
     EXPECT_EQ(movo.requests().size(), count) << "mode " << mode;
+  }
+}
+
+// Names of the nodes that subscribe to a topic.
+std::string subscribersOf(const std::string& topic) {
+  XmlRpc::XmlRpcValue question, answer, state;
+  question[0] = ros::this_node::getName();
+  if (!ros::master::execute("getSystemState", question, answer, state, false)) return "";
+  std::string names;
+  for (int i = 0; i < state[1].size(); ++i) {
+    if (static_cast<std::string>(state[1][i][0]) != topic) continue;
+    for (int j = 0; j < state[1][i][1].size(); ++j) {
+      names += static_cast<std::string>(state[1][i][1][j]) + " ";
+    }
+  }
+  return names;
+}
+
+TEST(Movo, PlannerAndGuardHearBothTopicsOfPeople) {
+  for (const char* topic : {"/tracked_persons", "/leg_tracker/people"}) {
+    EXPECT_TRUE(NavigationClient::waitUntil(20.0, [&] {
+      const std::string names = subscribersOf(topic);
+      return names.find("/planner_node") != std::string::npos &&
+             names.find("/velocity_guard") != std::string::npos;
+    })) << topic << ": " << subscribersOf(topic);
   }
 }
 

@@ -155,6 +155,22 @@ TEST_F(ProcessesTest, GuardThatIsToldToEndBrakesFirst) {
   EXPECT_EQ(client_.commandedSpeed(), 0.0) << "the last command is a zero";
 }
 
+// The base is braked before the planner ends, and no goal that comes meanwhile is accepted.
+TEST_F(ProcessesTest, PlannerWhoseTerminalIsClosedBrakesAndRefusesGoals) {
+  const pid_t process = processOf("planner_node");
+  ASSERT_NE(process, 0);
+  NavigationClient late;
+  ASSERT_TRUE(late.connect());
+  kill(process, SIGHUP);
+  waitUntil(0.3, [] { return false; });
+  late.send(40.0, 40.0);
+  expectRest({"planner_node ended by its terminal (SIGHUP)", 1.2}, [this] { return isAtRest(); });
+  EXPECT_TRUE(late.waitForEnd(1.0));
+  EXPECT_EQ(late.state(), NavigationClient::State::REJECTED);
+  EXPECT_EQ(late.text(), "the planner is being shut down");
+  EXPECT_NE(waitForNode("planner_node", process), process);
+}
+
 }  // namespace
 }  // namespace pomdp_crowd_nav
 

@@ -9,7 +9,8 @@
 namespace pomdp_crowd_nav {
 
 // Keeps a robot that follows a plan for another map from driving into what the newest map shows.
-// A robot that touches an obstacle already, as the map has it, may drive away from it.
+// A robot that touches an obstacle already, as the map has it, may drive away from it, and one that
+// is inside may drive out.
 class ObstacleReflex {
  public:
   // `reaction_time` [s] until a command to brake takes effect.
@@ -24,6 +25,7 @@ class ObstacleReflex {
 
  private:
   bool touches(const std::vector<Point>& way, const StaticMap& map) const;
+  bool leadsOut(const std::vector<Point>& way, const StaticMap& map) const;
   void addBraking(const VehicleState& from, std::vector<Point>& way) const;
 
   VehicleParams vehicle_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -16,9 +17,11 @@ enum class GuardCause {
   kCommandNotFinite,
   kClockJumped,
   kNoOdometry,
+  kOdometryRefused,  // for its stamp
   kOdometryNotFinite,
-  kNoTransform,
   kNoPeople,
+  kPeopleRefused,  // for their stamps, frames or numbers
+  kNoTransform,
   kPerson,
   kShutDown
 };
@@ -29,7 +32,8 @@ const char* describe(GuardCause cause);
 // its stopping path and whenever a command, odometry or people are missing or too old.
 //
 // What it puts out is never faster than a command that is fresh, never over the limits, always
-// finite. It knows nothing of the planner. All times [s], steady clock.
+// finite. It knows nothing of the planner. A guard that starts beside a base in motion and hears no
+// command brakes it once. All times [s], steady clock.
 class VelocityGuard {
  public:
   struct Params {
@@ -42,15 +46,19 @@ class VelocityGuard {
     double people_timeout = 1.0;    // [s], older tracks brake the base
   };
 
+  // Of people; whoever one of them reports counts, and all must be silent to count as silent.
+  static constexpr size_t kSources = 2;
+
   VelocityGuard(const Params& params, const VehicleParams& vehicle);
 
   // What came in, in the frame in which odometry is given; velocities in the base frame. Odometry
   // that cannot be is passed over.
   void takeCommand(const BaseCommand& command, double now);
   void takeMotion(const Pose& pose, const BaseCommand& velocity, double measured_at);
-  void takePeople(const TrackList& people, double measured_at);
-  void noteBadOdometry(double now) { bad_odometry_at_ = now; }
-  void noteMissingTransform(double now) { missing_transform_at_ = now; }
+  void takePeople(const TrackList& people, double measured_at, size_t source = 0);
+  // Why messages are dropped: kOdometry... and, of people, kPeopleRefused or kNoTransform.
+  void noteBadOdometry(double now, GuardCause why = GuardCause::kOdometryNotFinite);
+  void noteBadPeople(double now, GuardCause why);
   // Everything measured before is forgotten.
   void noteClockJump(double now);
   // From now on the base is braked.
@@ -69,7 +77,7 @@ class VelocityGuard {
   // Ages [s]; -1: never.
   double commandAge(double now) const { return age(command_at_, now); }
   double odometryAge(double now) const { return age(motion_at_, now); }
-  double peopleAge(double now) const { return age(people_at_, now); }
+  double peopleAge(double now) const { return age(peopleAt(), now); }
 
  private:
   static double age(double moment, double now) { return moment < 0.0 ? -1.0 : now - moment; }
@@ -78,6 +86,9 @@ class VelocityGuard {
   bool hasMotion(double now) const;
   GuardCause whyNoCommand(double now) const;
   GuardCause missingInput(double now) const;
+  double peopleAt() const;
+  std::vector<Track> peopleOf(double now) const;
+  bool mustTakeOver(double now);
   std::optional<std::int64_t> personInTheWay(double now);
   Pose poseAt(double now) const;
   Output stopped(GuardCause cause, double now, double period);
@@ -92,12 +103,17 @@ class VelocityGuard {
   bool is_command_finite_ = true;
   Pose pose_;
   BaseCommand velocity_;
-  TrackList people_;
+  struct Sweep {
+    TrackList people;
+    double at = -1.0;
+  };
+  std::array<Sweep, kSources> sweeps_;
   double command_at_ = -1.0;
   double motion_at_ = -1.0;
-  double people_at_ = -1.0;
   double bad_odometry_at_ = -1.0;
-  double missing_transform_at_ = -1.0;
+  GuardCause bad_odometry_ = GuardCause::kOdometryNotFinite;
+  double bad_people_at_ = -1.0;
+  GuardCause bad_people_ = GuardCause::kPeopleRefused;
   double clock_jump_at_ = -1.0;
 
   double last_tick_ = -1.0;
@@ -105,6 +121,9 @@ class VelocityGuard {
   std::int64_t blocking_person_ = -1;
   double zero_since_ = -1.0;  // output is zero and there is no fresh command
   bool is_shut_down_ = false;
+  // Of a guard that has not heard any command yet.
+  enum class TakeOver { kUndecided, kBrakes, kOver } take_over_ = TakeOver::kUndecided;
+  double moving_since_ = -1.0;
 };
 
 // Throws std::invalid_argument naming the first key ("guard/...") that is out of range.

@@ -17,10 +17,15 @@ struct PriorParams {
   double clearance = 3.0;   // [m], paths keep this far from obstacles where they can
   // [m], paths keep a little more, so that straight steps along them stay outside `clearance`
   double extra_clearance = 0.3;
+  double robot_radius = 1.0;  // [m], what must fit through a passage
   // Speed of the front inside the clearance as a share of its free speed, in (0, 1): low enough
   // to go round, above zero so that a robot that got inside is led out. A band of width w is cut
   // through where the way round is longer by more than w / blocked_speed.
   double blocked_speed = 0.01;
+  // The same where there is less than that clearance, but room for the robot: a door that leaves
+  // less than is wanted is taken where the way round is longer by more than its depth /
+  // narrow_speed. At least blocked_speed, at most 1.
+  double narrow_speed = 0.1;
   // [m] from obstacles, where the front of Fast Marching Square is at full speed
   double saturation_distance = 10.0;
   double look_ahead = 4.0;         // [m] along the path, of a car that steers by it

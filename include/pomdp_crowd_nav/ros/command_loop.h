@@ -56,10 +56,19 @@ class CommandLoop {
   double last_yaw_rate_ = 0.0;
 };
 
+// Begins the trip, without a stop where the robot is driving already. The end of the one before
+// that nobody was told yet is left in `unfinished`. False, and nothing changed, when a newer trip
+// has begun or the node ends.
+bool beginTrip(const Goal& goal, double now, Drive& drive, std::optional<Ending>& unfinished);
+
 // Ends the trip: from now on the base is stopped. Does nothing without a goal.
 void endTrip(Outcome outcome, const std::string& text, double now, Drive& drive);
 
 // Ends the trip before the goal, or the turn at it. Does nothing without either.
 void cancelTrip(double now, Drive& drive);
+
+// The same for the trip to the goal of that number; nothing to any other, so that a cancel that
+// comes late ends no newer one.
+void cancelTrip(long number, double now, Drive& drive);
 
 }  // namespace pomdp_crowd_nav

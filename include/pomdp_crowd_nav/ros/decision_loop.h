@@ -53,12 +53,13 @@ class DecisionLoop {
   bool sleepUntil(double time);
   std::optional<Snapshot> snapshotFor(double effect) const;
   void handOver(const Snapshot& snapshot, const Verdict& verdict, double effect);
-  void follow(const StepMotion& motion, double effect, Drive& drive) const;
+  bool follow(const StepMotion& motion, double effect, Drive& drive) const;
 
   InputLimits limits_;
   Guarded<Drive>& drive_;
   Callbacks callbacks_;
   DecisionMaker maker_;
+  VehicleParams vehicle_;
   ObstacleReflex obstacles_;
   DecisionSchedule schedule_;
   bool is_driving_ = false;  // the schedule runs

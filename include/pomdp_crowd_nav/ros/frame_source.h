@@ -3,11 +3,11 @@
 
 #include <ros/time.h>
 #include <tf2_ros/buffer.h>
-#include <tf2_ros/transform_listener.h>
 
 #include <string>
 
 #include "pomdp_crowd_nav/ros/stop_cause.h"
+#include "pomdp_crowd_nav/ros/transform_feed.h"
 #include "pomdp_crowd_nav/world/geometry.h"
 
 namespace pomdp_crowd_nav {
@@ -20,7 +20,7 @@ class FrameSource {
     double tolerance = 0.2;  // [s], a transform may be this much older than its message
   };
 
-  explicit FrameSource(Params params) : params_(std::move(params)), listener_(buffer_) {}
+  explicit FrameSource(Params params) : params_(std::move(params)), feed_(buffer_) {}
 
   struct Frame {
     Pose pose;
@@ -31,18 +31,22 @@ class FrameSource {
   // tolerance. A leading slash, as of older publishers, does not count.
   Frame frameAt(const std::string& name, const ros::Time& stamp) const;
 
+  // The same in another frame, without waiting.
+  Frame frameIn(const std::string& target, const std::string& name, const ros::Time& stamp) const;
+
   // Forgets all transforms, for time that runs backwards.
   void clear() { buffer_.clear(); }
 
   const std::string& globalFrame() const { return params_.global_frame; }
 
  private:
-  Frame lookUp(const std::string& frame, const ros::Time& stamp) const;
-  Frame newest(const std::string& frame, const ros::Time& stamp) const;
+  using Name = const std::string&;
+  Frame lookUp(Name target, Name frame, const ros::Time& stamp) const;
+  Frame newest(Name target, Name frame, const ros::Time& stamp) const;
 
   Params params_;
   tf2_ros::Buffer buffer_;
-  tf2_ros::TransformListener listener_;
+  TransformFeed feed_;
 };
 
 // The name without the slash in front that tf2 does not know.

@@ -18,12 +18,12 @@ namespace pomdp_crowd_nav {
 class GoalServer {
  public:
   // What the owner does with goals. `check` brings one into the global frame or says in `reason`
-  // why it is refused; `start` begins and `cancel` ends a trip.
+  // why it is refused; `start` begins and `cancel` ends a trip, the latter by its number.
   struct Callbacks {
     std::function<std::optional<Pose>(const geometry_msgs::PoseStamped&, std::string& reason)>
         check;
     std::function<void(const Goal&)> start;
-    std::function<void()> cancel;
+    std::function<void(long number)> cancel;
   };
 
   GoalServer(ros::NodeHandle& node, Callbacks callbacks);

@@ -27,6 +27,7 @@ class NavigationDisplay {
 
  private:
   std_msgs::Header header() const;
+  std::vector<std::int64_t> attended();
 
   std::string frame_;
   std::vector<Point> destinations_;

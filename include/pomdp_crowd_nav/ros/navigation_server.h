@@ -34,7 +34,6 @@ class NavigationServer {
  private:
   std::optional<Pose> checkGoal(const geometry_msgs::PoseStamped& goal, std::string& reason);
   void startTrip(const Goal& goal);
-  void cancelTrip();
   void failTrip(const Goal& goal, const std::string& reason);
   std::string adoptParams(const NavigationParams& params);
   void reportDecision(const DecisionReport& report, const Planner& planner);

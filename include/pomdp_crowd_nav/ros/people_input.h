@@ -17,8 +17,9 @@ namespace pomdp_crowd_nav {
 // The topics `tracked_persons` and `people`: who is where, and what is believed of them.
 //
 // One of the two is used at a time, the first whose messages can be used, until it has been silent
-// for `people_timeout`; so nobody is there twice. Beliefs are worked out here, outside the lock of
-// the shared state, however many people there are.
+// for `people_timeout`, or has reported nobody for as long while the other reports somebody; so
+// nobody is there twice. Beliefs are worked out here, outside the lock of the shared state, however
+// many people there are.
 class PeopleInput {
  public:
   PeopleInput(ros::NodeHandle& node, const PlannerNodeParams& params, const MessageGate& gate,
