@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "pomdp_crowd_nav/params/closest_name.h"
 #include "pomdp_crowd_nav/params/param_ranges.h"
 #include "pomdp_crowd_nav/params/param_values.h"
 #include "pomdp_crowd_nav/planner/planner_factory.h"
@@ -21,8 +22,9 @@ void readChoice(ParamReader& reader, const std::string& key, Choice& field, cons
   std::string word = field == first ? first_name : second_name;
   reader.read(key, word);
   if (word != first_name && word != second_name) {
-    throw std::invalid_argument(
-        fmt::format("{} must be '{}' or '{}', got '{}'", key, first_name, second_name, word));
+    throw std::invalid_argument(fmt::format("{} must be '{}' or '{}', got '{}'{}", key, first_name,
+                                            second_name, word,
+                                            didYouMean(word, {first_name, second_name})));
   }
   field = word == first_name ? first : second;
 }
@@ -52,9 +54,8 @@ void requireHeadingWithin(const NavigationParams& params) {
 void requireKnownPlanner(const std::string& name) {
   const std::vector<std::string> names = plannerNames();
   if (std::find(names.begin(), names.end(), name) != names.end()) return;
-  std::string known;
-  for (const std::string& other : names) known += (known.empty() ? "" : ", ") + other;
-  throw std::invalid_argument(fmt::format("planner must be one of {}, got '{}'", known, name));
+  throw std::invalid_argument(fmt::format("planner must be one of {}, got '{}'{}",
+                                          commaSeparated(names), name, didYouMean(name, names)));
 }
 
 void readVehicle(ParamReader& reader, VehicleParams& vehicle) {
