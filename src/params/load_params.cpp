@@ -227,6 +227,7 @@ Simulator::Params loadSimulatorParams(ParamReader& reader, const VehicleParams& 
   reader.read("sensor/dropout", params.sensor.dropout);
   reader.read("sensor/velocity_window", params.sensor.velocity_window);
   reader.read("command_timeout", params.command_timeout);
+  reader.read("crowd", params.crowd);
   reader.read("uniform_respawn", params.uniform_respawn);
   return params;
 }
