@@ -57,7 +57,7 @@ prepare_build_dir "$source_dir"
 logs=$BUILD_DIR/logs
 # RViz: the check of the launch files looks for every program they start.
 install_missing "[1/4]" "$logs/install.log" \
-  "${BUILD_PACKAGES[@]}" "${RUN_PACKAGES[@]}" "${RVIZ_PACKAGES[@]}"
+  "${BUILD_PACKAGES[@]}" "${RUN_PACKAGES[@]}" "${RVIZ_PACKAGES[@]}" "${DOC_PACKAGES[@]}"
 build "[2/4]" "$source_dir" "$BUILD_DIR" all || die 1 "the build failed"
 build "[3/4] tests:" "$source_dir" "$BUILD_DIR" tests || die 1 "the tests could not be built"
 
