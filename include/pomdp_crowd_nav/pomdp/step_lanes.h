@@ -7,10 +7,12 @@
 // sixteen.
 namespace pomdp_crowd_nav {
 
+// From one place to another.
 struct Offset {
   float x, y;  // [m]
 };
 
+// Robots of several branches, one in each lane.
 template <class Value>
 struct RobotLanes {
   Value x, y, direction_x, direction_y, speed;

@@ -9,6 +9,7 @@
 
 namespace pomdp_crowd_nav {
 
+// A bag and what is to be read from it.
 struct BagSource {
   std::string path;
   std::string topic =

@@ -26,6 +26,7 @@ struct HeardInput {
   MessageFault fault = MessageFault::kNone;  // of the newest message
 };
 
+// Whether an input will do.
 struct InputVerdict {
   bool is_fine = true;
   std::string text;    // a word or two
