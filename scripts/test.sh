@@ -19,7 +19,7 @@ standard error.
 
   PCN_BUILD_DIR   folder to build in, instead of build/
   UCY_DATA_DIR    folder of the recordings ucy_zara01.csv, ucy_students03.csv and their .json, which
-                  are not part of the package (README, Recorded people); tests with recorded people
+                  are not part of the package (doc/recorded_people.md); tests with recorded people
                   are skipped without them
 END
 }

@@ -85,7 +85,7 @@ int main(int argc, char** argv) {
       "Lets the robot take the place of recorded people, one trip each, and compares it with "
       "them."};
   app.footer(std::string(R"(
-Example (the README says where recordings come from):
+Example (doc/recorded_people.md says where recordings come from):
   run_replay_tasks --world ucy_zara01 --tracks ucy_zara01.csv --tasks ucy_zara01.json
 )") + kExitStatus);
   Options options;

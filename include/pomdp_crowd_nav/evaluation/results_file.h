@@ -11,7 +11,7 @@
 
 namespace pomdp_crowd_nav {
 
-// A row of a results file (README, section Tools).
+// A row of a results file (doc/tools.md).
 struct EpisodeRow {
   Trial trial;
   bool reached = false;
