@@ -38,8 +38,8 @@ void requirePositive(const char* key, double value) {
 void requireFrequency(double frequency) {
   constexpr double kLowest = 0.1, kHighest = 5.0;  // [Hz]
   if (frequency >= kLowest && frequency <= kHighest) return;
-  throw std::invalid_argument(fmt::format("planner_frequency must be between {} and {} Hz, got {}",
-                                          kLowest, kHighest, frequency));
+  throw std::invalid_argument(fmt::format(
+      "planner_frequency must be between {:g} and {:g} Hz, got {}", kLowest, kHighest, frequency));
 }
 
 void requireHeadingWithin(const NavigationParams& params) {
