@@ -1,11 +1,17 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every class and struct of the headers that is not inside another has a comment."""
+"""Every class and struct of the headers that is not inside another has a comment: above it, or, of
+a struct of fields alone, at one of these."""
 import pathlib
 import re
 import sys
 
 TYPE = re.compile(r"^(?:class|struct) (\w+)(?!\w|<)[^;<]*\{", re.M)  # no specialisation
+
+
+def explains_its_fields(text, begin):
+    body = text[begin:text.index("\n};", begin)]
+    return body.startswith("struct") and "//" in body
 
 
 def lacking(path):
@@ -14,7 +20,8 @@ def lacking(path):
         before = text[:match.start()].splitlines()
         while before and before[-1].startswith("template"):
             before.pop()
-        if not before or not before[-1].startswith("//"):
+        is_explained = before and before[-1].startswith("//")
+        if not is_explained and not explains_its_fields(text, match.start()):
             yield f"{path}:{len(before) + 1}: {match[1]} has no comment"
 
 

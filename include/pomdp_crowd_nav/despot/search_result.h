@@ -16,7 +16,6 @@ enum class SearchStop {
 
 const char* describe(SearchStop stop);
 
-// What a search got done. Values are discounted sums of rewards from the root.
 struct SearchStatistics {
   long trials = 0;
   long expansions = 0;
@@ -33,7 +32,6 @@ struct SearchStatistics {
   double gap() const { return upper_bound - lower_bound; }
 };
 
-// What is best to do now, by the lower bounds of the tree.
 template <class Action>
 struct SearchResult {
   Action action;              // best legal action at the root

@@ -8,7 +8,6 @@
 
 namespace pomdp_crowd_nav {
 
-// Which people count.
 struct AttentionParams {
   int pedestrians = 6;       // n_ped, at most this many people
   double half_angle = M_PI;  // [rad], of the cone around the direction of travel

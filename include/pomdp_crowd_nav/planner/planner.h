@@ -48,7 +48,6 @@ struct Situation {
   CrowdBelief crowd;
 };
 
-// What is to be done in the next step, and how it was found.
 struct Decision {
   Action action;
   StepMotion motion;               // what the action does in the next step
@@ -71,7 +70,6 @@ struct TreeEdge {
   float weight = 0.0F;  // share of the scenarios
   int depth = 0;        // of `to`
 };
-// Its edges, those of most scenarios first, and roll-outs from its leaves.
 struct TreeView {
   std::vector<TreeEdge> edges;
   std::vector<std::vector<Point>> rollouts;  // paths of the default policy from the best leaves

@@ -7,15 +7,13 @@
 // sixteen.
 namespace pomdp_crowd_nav {
 
-// From one place to another.
 struct Offset {
   float x, y;  // [m]
 };
 
-// Robots of several branches, one in each lane.
 template <class Value>
 struct RobotLanes {
-  Value x, y, direction_x, direction_y, speed;
+  Value x, y, direction_x, direction_y, speed;  // [m], unit vector, [m/s]
 };
 
 // What the field says at the robots' places.

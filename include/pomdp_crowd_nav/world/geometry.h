@@ -8,7 +8,6 @@ namespace pomdp_crowd_nav {
 
 using Point = Eigen::Vector2d;  // [m], planning frame
 
-// A place and where something there faces.
 struct Pose {
   Point position{0.0, 0.0};  // [m]
   double heading = 0.0;      // [rad], counter-clockwise from x

@@ -19,7 +19,6 @@ struct Bounds {
   }
 };
 
-// A solid disc.
 struct Circle {
   Point center{0.0, 0.0};  // [m]
   double radius = 0.0;     // [m]
