@@ -9,7 +9,6 @@
 
 namespace pomdp_crowd_nav {
 
-// A bag and what is to be read from it.
 struct BagSource {
   std::string path;
   std::string topic =

@@ -14,7 +14,6 @@ namespace pomdp_crowd_nav {
 // How a trip ended; the names of the action's terminal states follow from it.
 enum class Outcome { kReached, kCancelled, kPreempted, kFailed };
 
-// A goal in the global frame; goals are numbered as they come.
 struct Goal {
   long number = 0;  // 0: none
   Pose pose;

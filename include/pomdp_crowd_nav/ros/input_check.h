@@ -26,7 +26,6 @@ struct HeardInput {
   MessageFault fault = MessageFault::kNone;  // of the newest message
 };
 
-// Whether an input will do.
 struct InputVerdict {
   bool is_fine = true;
   std::string text;    // a word or two

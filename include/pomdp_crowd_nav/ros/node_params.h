@@ -17,7 +17,6 @@ struct FrameNames {
   std::string base = "base_link";
 };
 
-// All that planner_node reads.
 struct PlannerNodeParams {
   NavigationParams navigation;
   FrameNames frames;
@@ -27,7 +26,6 @@ struct PlannerNodeParams {
   MapPolicy map;                    // how the map topic is read
 };
 
-// All that sim_node reads.
 struct SimNodeParams {
   NavigationParams navigation;  // the vehicle and the decision step of the profile
   Simulator::Params simulator;
