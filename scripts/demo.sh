@@ -28,8 +28,15 @@ Exits with 0 when the goal was reached and nobody came too close, 1 otherwise, 2
   --help             this text
 
 Builds in build/ or in $PCN_BUILD_DIR.
+
+Examples:
+  scripts/demo.sh                                     the paper's open field, 100 people
+  scripts/demo.sh --world scenario_2 --planner 1d_astar --no-rviz
+  scripts/demo.sh --world "$HOME/yard.yaml" --pedestrians 20
 END
 }
+
+options=(--world --pedestrians --planner --seed --profile --tracks --rviz --no-rviz --build-only --help)
 
 # The names of a folder of config/, on one line.
 names_in() {
@@ -41,7 +48,21 @@ names_in() {
 check_name() {
   local option=$1 folder=$2 name=$3
   [[ $name =~ ^[A-Za-z0-9_-]+$ && -e $source_dir/config/$folder/$name.yaml ]] ||
-    die 2 "$option: there is no '$name'; choose one of: $(names_in "$folder")"
+    refuse_name "$option" "$name" "$(names_in "$folder")"
+}
+
+refuse_name() {
+  local option=$1 name=$2 known=$3
+  # shellcheck disable=SC2086  # one word each
+  die 2 "$option: there is no '$name'; choose one of: $known$(did_you_mean "$name" $known)"
+}
+
+# Those of the table of parameters, which a test compares with the code.
+check_planner() {
+  local known
+  known=$(sed -n 's/^  planner: {.*range: \[\(.*\)\],$/\1/p' "$source_dir/config/parameters.yaml")
+  known=${known//,/}
+  [[ " $known " == *" $1 "* ]] || refuse_name --planner "$1" "$known"
 }
 
 check_file() {
@@ -86,7 +107,7 @@ parse_options() {
         set -- "${1%%=*}" "${1#*=}" "${@:2}"
         continue
         ;;
-      *) die 2 "unknown option '$1' (--help lists them)" ;;
+      *) die 2 "unknown option '$1'$(did_you_mean "$1" "${options[@]}") (--help lists them)" ;;
     esac
     shift
   done
@@ -100,10 +121,7 @@ check_options() {
       profile) check_name --profile profiles "${given[profile]}" ;;
       pedestrians) check_number --pedestrians "${given[pedestrians]}" 10000 ;;
       seed) check_number --seed "${given[seed]}" 999999999 ;;
-      planner)
-        [[ ${given[planner]} =~ ^[A-Za-z0-9_]+$ ]] ||
-          die 2 "--planner must be a name, got '${given[planner]}'"
-        ;;
+      planner) check_planner "${given[planner]}" ;;
       tracks)
         check_file --tracks "${given[tracks]}"
         [[ -n ${given[world]:-}${given[world_file]:-} ]] ||

@@ -4,6 +4,8 @@
 
 usage: fault_matrix.py RESULTS_FOLDER [DOCUMENT]
 
+  scripts/fault_matrix.py build/test_results
+
 RESULTS_FOLDER is test_results of a build folder in which the tests have run; in it every test of a
 fault has left the properties fault, bound_s and rest_s (or period_s, where nothing stops). DOCUMENT
 is doc/safety.md beside this script's folder unless it is given. Rows whose test has not run stay as

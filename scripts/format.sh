@@ -9,7 +9,10 @@ case ${1:-} in
   "") options=(--dry-run --Werror) ;;
   --apply) options=(-i) ;;
   --help)
-    echo "usage: scripts/format.sh [--apply]"
+    echo "usage: scripts/format.sh [--apply]
+
+Checks the format of all C++ files (.clang-format), or sets it right with --apply. Needs clang-format.
+Exits with 0 when it is right, 1 when not, 2 for a bad argument."
     exit 0
     ;;
   *)

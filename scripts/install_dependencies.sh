@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # Installs what Debian 12 needs to build, test and run this package; asks apt only for what is
-# missing. Run alone: scripts/install_dependencies.sh [--rviz]. The other scripts source it.
+# missing. Run alone: scripts/install_dependencies.sh [--rviz] [--doc]. The other scripts source it.
 
 BUILD_PACKAGES=(
   g++ cmake make ninja-build catkin
@@ -20,6 +20,7 @@ RUN_PACKAGES=(
   libnodeletlib-tools python3-actionlib-msgs python3-geometry-msgs python3-nav-msgs python3-rospy
   python3-tf2-msgs ros-robot-state-publisher)
 RVIZ_PACKAGES=(rviz)
+DOC_PACKAGES=(doxygen)
 
 # A python3 of pyenv or conda in front of the system's lacks the ROS modules.
 export PATH="/usr/bin:$PATH"
@@ -32,6 +33,13 @@ die() {
   shift
   say "${0##*/}: $*"
   exit "$status"
+}
+
+# did_you_mean NAME KNOWN... : ", did you mean 'X'?" with the nearest of them, where one is near.
+did_you_mean() {
+  python3 -c 'import difflib, sys
+for meant in difflib.get_close_matches(sys.argv[1], sys.argv[2:], 1):
+    print(f", did you mean \x27{meant}\x27?", end="")' "$@" 2>/dev/null || true
 }
 
 missing_packages() {
@@ -158,15 +166,20 @@ if [[ ${BASH_SOURCE[0]} == "$0" ]]; then
   set -euo pipefail
   trap stop_heartbeat EXIT
   packages=("${BUILD_PACKAGES[@]}" "${RUN_PACKAGES[@]}")
-  case ${1:-} in
-    "") ;;
-    --rviz) packages+=("${RVIZ_PACKAGES[@]}") ;;
-    --help)
-      say "usage: scripts/install_dependencies.sh [--rviz]   installs what is missing, with apt"
-      exit 0
-      ;;
-    *) die 2 "unknown option '$1'" ;;
-  esac
+  for option in "$@"; do
+    case $option in
+      --rviz) packages+=("${RVIZ_PACKAGES[@]}") ;;
+      --doc) packages+=("${DOC_PACKAGES[@]}") ;;
+      --help)
+        printf '%s\n' "usage: scripts/install_dependencies.sh [--rviz] [--doc]" "" \
+          "Installs with apt what is missing to build, test and run on Debian 12." \
+          "--rviz: RViz too; --doc: doxygen too. Exits with 0 when all is there, 1 when apt failed," \
+          "2 for a bad argument."
+        exit 0
+        ;;
+      *) die 2 "unknown option '$option'$(did_you_mean "$option" --rviz --doc --help)" ;;
+    esac
+  done
   prepare_build_dir "$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
   install_missing "[1/1]" "$BUILD_DIR/logs/install.log" "${packages[@]}"
 fi

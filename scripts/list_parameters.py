@@ -94,9 +94,12 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     what = parser.add_mutually_exclusive_group(required=True)
-    what.add_argument("--profile", action="store_true")
-    what.add_argument("--readme", metavar="FILE", type=pathlib.Path)
-    what.add_argument("--check", metavar="FILE", type=pathlib.Path)
+    what.add_argument("--profile", action="store_true",
+                      help="print a profile with every default: the start of one of your own")
+    what.add_argument("--readme", metavar="FILE", type=pathlib.Path,
+                      help="write the tables into this file")
+    what.add_argument("--check", metavar="FILE", type=pathlib.Path,
+                      help="compare them with this file")
     options = parser.parse_args()
     parameters = yaml.safe_load(find_table().read_text())
     if options.profile:

@@ -36,7 +36,7 @@ def parse():
                                 formatter_class=argparse.RawDescriptionHelpFormatter)
     environment.add_common_options(parser)
     parser.add_argument("--minutes", type=number(0.1, 1e4), default=10.0,
-                        help="of each of the two measurements")
+                        help="of each of the two measurements (%(default)s)")
     parser.add_argument("--load", type=number(1, 1000, int), default=os.cpu_count(),
                         help="busy processes, by default one for each processor")
     options = parser.parse_args()

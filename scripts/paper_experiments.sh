@@ -23,6 +23,11 @@ Reruns the paper's experiments into OUTPUT_DIR and goes on there when it is star
   --max-trials N   search trials for each decision (200)
   --jobs N         episodes at once (one on each core)
   --tools DIR      folder of the programs (build/devel/lib/pomdp_crowd_nav, or $PCN_TOOLS_DIR)
+
+  scripts/paper_experiments.sh results --runs 2 --max-trials 20    all of it in small
+
+Exit status 0; 2 and one line for a bad argument; else that of the program that failed or was
+interrupted.
 END_OF_USAGE
 }
 

@@ -33,17 +33,20 @@ def parse():
     parser = environment.Parser(prog="soak.py", description=__doc__,
                                 formatter_class=argparse.RawDescriptionHelpFormatter)
     environment.add_common_options(parser)
-    parser.add_argument("--duration", type=number(10.0, 1e6), default=3600.0, help="[s]")
+    parser.add_argument("--duration", type=number(10.0, 1e6), default=3600.0,
+                        help="[s] to drive (%(default)s)")
     parser.add_argument("--fault-period", type=number(8.0, 1e6), default=20.0,
-                        help="[s] from one fault to the next")
+                        help="[s] from one fault to the next (%(default)s)")
     parser.add_argument("--goal-timeout", type=number(1.0, 1e6), default=600.0,
-                        help="[s] in which a goal must be reached")
+                        help="[s] in which a goal must be reached (%(default)s)")
     parser.add_argument("--slack", type=number(0.0, 60.0), default=0.5,
-                        help="[s] on top of each bound, for cycles and a busy machine")
+                        help="[s] on top of each bound, for cycles and a busy machine "
+                             "(%(default)s)")
     parser.add_argument("--max-growth", type=number(0.0, 1e6), default=10.0,
-                        help="[MB/h] of a node's memory")
+                        help="[MB/h] of a node's memory (%(default)s)")
     parser.add_argument("--use-sim-time", choices=["true", "false"], default="true",
-                        help="whether the simulator is the clock, which then jumps too")
+                        help="whether the simulator is the clock, which then jumps too "
+                             "(%(default)s)")
     options = parser.parse_args()
     options.use_sim_time = options.use_sim_time == "true"
     if not options.output:

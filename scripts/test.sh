@@ -19,7 +19,7 @@ standard error.
 
   PCN_BUILD_DIR   folder to build in, instead of build/
   UCY_DATA_DIR    folder of the recordings ucy_zara01.csv, ucy_students03.csv and their .json, which
-                  are not part of the package (README, Recorded people); tests with recorded people
+                  are not part of the package (doc/recorded_people.md); tests with recorded people
                   are skipped without them
 END
 }
@@ -57,7 +57,7 @@ prepare_build_dir "$source_dir"
 logs=$BUILD_DIR/logs
 # RViz: the check of the launch files looks for every program they start.
 install_missing "[1/4]" "$logs/install.log" \
-  "${BUILD_PACKAGES[@]}" "${RUN_PACKAGES[@]}" "${RVIZ_PACKAGES[@]}"
+  "${BUILD_PACKAGES[@]}" "${RUN_PACKAGES[@]}" "${RVIZ_PACKAGES[@]}" "${DOC_PACKAGES[@]}"
 build "[2/4]" "$source_dir" "$BUILD_DIR" all || die 1 "the build failed"
 build "[3/4] tests:" "$source_dir" "$BUILD_DIR" tests || die 1 "the tests could not be built"
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A ROS environment of one's own: the build folder's, with a master on a free port."""
 import argparse
+import difflib
 import importlib.util
 import os
 import pathlib
@@ -40,8 +41,10 @@ def named_in(folder):
     def parse(text):
         names = sorted(path.stem for path in (SOURCE / "config" / folder).glob("*.yaml"))
         if names and text not in names:
+            meant = difflib.get_close_matches(text, names, 1)
+            hint = f", did you mean '{meant[0]}'?" if meant else ""
             raise argparse.ArgumentTypeError(
-                f"there is no '{text}'; choose one of: {', '.join(names)}")
+                f"there is no '{text}'; choose one of: {', '.join(names)}{hint}")
         return text
     return parse
 
@@ -53,10 +56,14 @@ def add_common_options(parser):
     parser.add_argument("--output", default="",
                         help="folder for what is written, made if it is missing; by default one "
                              "named after the time in the present folder")
-    parser.add_argument("--world", type=named_in("worlds"), default="scenario_2")
-    parser.add_argument("--profile", type=named_in("profiles"), default="tuned")
-    parser.add_argument("--people", type=number(0, 10000, int), default=400)
-    parser.add_argument("--seed", type=number(0, 999999999, int), default=1)
+    parser.add_argument("--world", type=named_in("worlds"), default="scenario_2",
+                        help="a file of config/worlds without its ending (%(default)s)")
+    parser.add_argument("--profile", type=named_in("profiles"), default="tuned",
+                        help="a file of config/profiles without its ending (%(default)s)")
+    parser.add_argument("--people", type=number(0, 10000, int), default=400,
+                        help="size of the crowd (%(default)s)")
+    parser.add_argument("--seed", type=number(0, 999999999, int), default=1,
+                        help="of the crowd, the goals and the faults (%(default)s)")
 
 
 def free_port():

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "pomdp_crowd_nav/params/closest_name.h"
 #include "pomdp_crowd_nav/params/param_ranges.h"
 #include "pomdp_crowd_nav/params/param_values.h"
 #include "pomdp_crowd_nav/planner/planner_factory.h"
@@ -21,8 +22,9 @@ void readChoice(ParamReader& reader, const std::string& key, Choice& field, cons
   std::string word = field == first ? first_name : second_name;
   reader.read(key, word);
   if (word != first_name && word != second_name) {
-    throw std::invalid_argument(
-        fmt::format("{} must be '{}' or '{}', got '{}'", key, first_name, second_name, word));
+    throw std::invalid_argument(fmt::format("{} must be '{}' or '{}', got '{}'{}", key, first_name,
+                                            second_name, word,
+                                            didYouMean(word, {first_name, second_name})));
   }
   field = word == first_name ? first : second;
 }
@@ -36,8 +38,8 @@ void requirePositive(const char* key, double value) {
 void requireFrequency(double frequency) {
   constexpr double kLowest = 0.1, kHighest = 5.0;  // [Hz]
   if (frequency >= kLowest && frequency <= kHighest) return;
-  throw std::invalid_argument(fmt::format("planner_frequency must be between {} and {} Hz, got {}",
-                                          kLowest, kHighest, frequency));
+  throw std::invalid_argument(fmt::format(
+      "planner_frequency must be between {:g} and {:g} Hz, got {}", kLowest, kHighest, frequency));
 }
 
 void requireHeadingWithin(const NavigationParams& params) {
@@ -52,9 +54,8 @@ void requireHeadingWithin(const NavigationParams& params) {
 void requireKnownPlanner(const std::string& name) {
   const std::vector<std::string> names = plannerNames();
   if (std::find(names.begin(), names.end(), name) != names.end()) return;
-  std::string known;
-  for (const std::string& other : names) known += (known.empty() ? "" : ", ") + other;
-  throw std::invalid_argument(fmt::format("planner must be one of {}, got '{}'", known, name));
+  throw std::invalid_argument(fmt::format("planner must be one of {}, got '{}'{}",
+                                          commaSeparated(names), name, didYouMean(name, names)));
 }
 
 void readVehicle(ParamReader& reader, VehicleParams& vehicle) {
@@ -227,6 +228,7 @@ Simulator::Params loadSimulatorParams(ParamReader& reader, const VehicleParams& 
   reader.read("sensor/dropout", params.sensor.dropout);
   reader.read("sensor/velocity_window", params.sensor.velocity_window);
   reader.read("command_timeout", params.command_timeout);
+  reader.read("crowd", params.crowd);
   reader.read("uniform_respawn", params.uniform_respawn);
   return params;
 }

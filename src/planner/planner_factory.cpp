@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "pomdp_crowd_nav/params/closest_name.h"
 #include "pomdp_crowd_nav/planner/extended_space_planner.h"
 #include "pomdp_crowd_nav/planner/limited_space_planner.h"
 #include "pomdp_crowd_nav/prior/look_ahead_prior.h"
@@ -35,8 +36,9 @@ std::unique_ptr<Planner> makeExtendedSpace(const char* prior, const Task& task,
       task, task.shared_tables ? task.shared_tables->of(prior, make) : make(), params);
 }
 
-std::unique_ptr<Planner> makeLimitedSpace(const Task& task, const PlannerParams& params) {
-  return std::make_unique<LimitedSpacePlanner>(task, params);
+template <class SomePlanner>
+std::unique_ptr<Planner> make(const Task& task, const PlannerParams& params) {
+  return std::make_unique<SomePlanner>(task, params);
 }
 
 constexpr const char* kLimitedSpace = "1d_astar";
@@ -51,6 +53,7 @@ struct Entry {
 
 const char* nameOf(VehicleKind kind) { return kind == VehicleKind::kCar ? "car" : "holonomic"; }
 
+// A new planner is one more entry here and its name in config/parameters.yaml.
 const Entry kPlanners[] = {
     {"2d_fmm", Drives::kHolonomic,
      [](const Task& task, const PlannerParams& params) {
@@ -73,7 +76,7 @@ const Entry kPlanners[] = {
        constexpr bool kLooksAhead = true;  // a car steers toward where the path leads
        return makeExtendedSpace("fast_marching_square", task, params, kLooksAhead);
      }},
-    {kLimitedSpace, Drives::kBoth, makeLimitedSpace},
+    {kLimitedSpace, Drives::kBoth, make<LimitedSpacePlanner>},
 };
 
 }  // namespace
@@ -108,12 +111,12 @@ void requireDrives(const std::string& planner, const VehicleParams& vehicle) {
     if (planner == kLimitedSpace) LimitedSpacePlanner::requireDrivable(vehicle);
     return;
   }
-  std::string able;
+  std::vector<std::string> able;
   for (const std::string& name : plannerNames()) {
-    if (drives(name, kind)) able += (able.empty() ? "" : ", ") + name;
+    if (drives(name, kind)) able.push_back(name);
   }
   throw std::invalid_argument(fmt::format("planner must be one of {} for vehicle '{}', got '{}'",
-                                          able, nameOf(kind), planner));
+                                          commaSeparated(able), nameOf(kind), planner));
 }
 
 std::unique_ptr<Planner> makePlanner(const std::string& name, const Task& task,
@@ -127,10 +130,9 @@ std::unique_ptr<Planner> makePlanner(const std::string& name, const Task& task,
     requireDrives(name, params.model.vehicle);
     return entry.make(task, params);
   }
-  std::string known;
-  for (const Entry& entry : kPlanners)
-    known += (known.empty() ? "" : ", ") + std::string(entry.name);
-  throw std::invalid_argument(fmt::format("planner must be one of {}, got '{}'", known, name));
+  const std::vector<std::string> known = plannerNames();
+  throw std::invalid_argument(fmt::format("planner must be one of {}, got '{}'{}",
+                                          commaSeparated(known), name, didYouMean(name, known)));
 }
 
 }  // namespace pomdp_crowd_nav

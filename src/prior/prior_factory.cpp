@@ -5,6 +5,7 @@
 
 #include <stdexcept>
 
+#include "pomdp_crowd_nav/params/closest_name.h"
 #include "pomdp_crowd_nav/prior/fast_marching_prior.h"
 #include "pomdp_crowd_nav/prior/fast_marching_square_prior.h"
 #include "pomdp_crowd_nav/prior/roadmap_prior.h"
@@ -67,15 +68,14 @@ void requireFreeGoal(const StaticMap& map, const Point& goal) {
 
 PriorPtr makeNamed(const std::string& name, const Source& source, const Point& goal,
                    const PriorParams& params) {
-  std::string known;
   for (const Entry& entry : kPriors) {
-    if (name == entry.name) {
-      requireFreeGoal(source.map, goal);
-      return entry.make(source, goal, params);
-    }
-    known += (known.empty() ? "" : ", ") + std::string(entry.name);
+    if (name != entry.name) continue;
+    requireFreeGoal(source.map, goal);
+    return entry.make(source, goal, params);
   }
-  throw std::invalid_argument(fmt::format("unknown prior \"{}\", known are: {}", name, known));
+  const std::vector<std::string> known = priorNames();
+  throw std::invalid_argument(fmt::format("prior must be one of {}, got '{}'{}",
+                                          commaSeparated(known), name, didYouMean(name, known)));
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "pomdp_crowd_nav/sim/corner_crowd.h"
+#include "pomdp_crowd_nav/sim/crowd_factory.h"
 #include "pomdp_crowd_nav/sim/recorded_crowd.h"
 #include "pomdp_crowd_nav/sim/tracks_file.h"
 
@@ -27,6 +27,7 @@ const Simulator::Params& validated(const Simulator::Params& params) {
     throw std::invalid_argument(
         fmt::format("command_timeout must be positive, got {}", params.command_timeout));
   }
+  requireKnownCrowd(params.crowd);
   return params;
 }
 
@@ -41,10 +42,10 @@ std::vector<TrackSample> recordingIn(const World& world) {
       fmt::format("{}: nobody in it walks on the field of {}", world.tracks_file, world.name));
 }
 
-std::unique_ptr<Crowd> makeCrowd(const World& world, const Simulator::Params& params) {
+std::unique_ptr<Crowd> crowdOf(const World& world, const Simulator::Params& params) {
   if (world.tracks_file.empty()) {
-    return std::make_unique<CornerCrowd>(
-        world, CornerCrowd::Params{params.pedestrians, params.uniform_respawn, params.seed});
+    return makeCrowd(params.crowd, world,
+                     {params.pedestrians, params.uniform_respawn, params.seed});
   }
   return std::make_unique<RecordedCrowd>(
       recordingIn(world), RecordedCrowd::Params{world.tracks_start_time, world.left_out});
@@ -57,7 +58,7 @@ Simulator::Simulator(const World& world, const Params& params)
       params_(validated(params)),
       base_(params.vehicle, world.start),
       sensor_(params.sensor, params.seed ^ kSensorStream),
-      crowd_(makeCrowd(world, params)) {}
+      crowd_(crowdOf(world, params)) {}
 
 void Simulator::setCommand(const BaseCommand& command) {
   command_ = command;

@@ -220,8 +220,18 @@ int main(int argc, char** argv) {
   Options options;
   CLI::App app(
       "Listens to the inputs of planner_node, with the same remappings, and says what is missing");
-  app.add_option("--duration", options.duration, "[s] of listening")->check(positiveNumber());
-  app.add_option("--node", options.node, "node whose parameters name frames and age limits");
+  app.add_option("--duration", options.duration, "How long to listen [s]")
+      ->check(positiveNumber())
+      ->capture_default_str();
+  app.add_option("--node", options.node, "Node whose parameters name frames and age limits")
+      ->capture_default_str();
+  app.footer(R"(
+Example:
+  check_inputs odom:=/robot/odom cmd_vel:=/robot/cmd_vel --duration 10
+
+Exit status: 0 when all is right, 1 when something is missing or no master answers, 2 for a bad
+argument.
+)");
   return runTool("check_inputs", app, argc, argv, [&] {
     if (!ros::master::check()) {
       fmt::print(stderr, "check_inputs: no ROS master answers at {}\n", ros::master::getURI());

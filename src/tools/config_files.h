@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "pomdp_crowd_nav/params/closest_name.h"
+
 namespace pomdp_crowd_nav {
 
 // The folder of worlds and profiles: `config` where the program is started, else that of the
@@ -24,17 +26,15 @@ inline std::string findConfigFolder() {
   return SOURCE_DIR "/config";
 }
 
-// Names of the yaml files of a folder, in order, on one line.
-inline std::string namesIn(const std::filesystem::path& folder) {
+// Names of the yaml files of a folder, in order.
+inline std::vector<std::string> namesIn(const std::filesystem::path& folder) {
   std::vector<std::string> names;
   std::error_code none;
   for (const auto& entry : std::filesystem::directory_iterator(folder, none)) {
     if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
   }
   std::sort(names.begin(), names.end());
-  std::string line;
-  for (const std::string& name : names) line += (line.empty() ? "" : ", ") + name;
-  return line;
+  return names;
 }
 
 // The file that an option means: a path, or a name in a folder of `config`.
@@ -52,8 +52,10 @@ inline std::string configFile(const std::string& config, const char* kind,
   }
   const std::string file = (folder / (name + ".yaml")).string();
   if (fs::exists(file, none)) return file;
-  throw std::runtime_error(fmt::format("there is no '{}' in {}; choose one of: {}, or give a file",
-                                       name, folder.string(), namesIn(folder)));
+  const std::vector<std::string> known = namesIn(folder);
+  throw std::runtime_error(
+      fmt::format("there is no '{}' in {}; choose one of: {}, or give a file{}", name,
+                  folder.string(), commaSeparated(known), didYouMean(name, known)));
 }
 
 // As simulation.launch chooses it.

@@ -41,7 +41,7 @@ void addOptions(CLI::App& app, Options& options) {
       ->capture_default_str();
   app.add_option("--planner", options.planner,
                  "Planner that decides; without it the one of the profile")
-      ->check(CLI::IsMember(plannerNames()));
+      ->check(oneOf(plannerNames()));
   app.add_option("--seed", options.seed, "Seed of the episode")
       ->check(wholeNumber(0, 4294967295))
       ->capture_default_str();
@@ -195,6 +195,12 @@ void run(const Options& options) {
 
 int main(int argc, char** argv) {
   CLI::App app{"Writes one decision of an episode as JSON: search tree, roll-outs and people."};
+  app.footer(std::string(R"(
+Example:
+  export_decision --world scenario_2 --step 15 --output decision.json
+  plot_experiments.py decision decision.json --output decision.png
+)") + kExitStatus +
+             "\nThe status is 2 as well where the trip is over before that decision.");
   Options options;
   addOptions(app, options);
   return runTool("export_decision", app, argc, argv, [&] {

@@ -84,6 +84,14 @@ void run(const Options& options) {
 
 int main(int argc, char** argv) {
   CLI::App app{"Finds out from recorded people where they come from and go to."};
+  app.footer(std::string(R"(
+Examples:
+  learn_destinations --tracks people.csv
+  learn_destinations --tracks people.bag --topic /spencer/perception/tracked_persons \
+    --output destinations.yaml
+  rosparam load destinations.yaml /planner_node
+)") + kExitStatus +
+             "\nThe status is 2 as well where no destination is found.");
   Options options;
   addOptions(app, options);
   return runTool("learn_destinations", app, argc, argv, [&] {

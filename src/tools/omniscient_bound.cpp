@@ -174,6 +174,11 @@ void run(const Options& options) {
 
 int main(int argc, char** argv) {
   CLI::App app{"The fastest trips of a robot that knows where everybody will be."};
+  app.footer(std::string(R"(
+Example, of the same people as those of run_experiments:
+  omniscient_bound --pedestrians 100 400 --runs 100 --output bounds.csv
+  report_experiments results.csv --bound bounds.csv
+)") + kExitStatusOfLongRuns);
   Options options;
   addOptions(app, options);
   return runTool("omniscient_bound", app, argc, argv, [&] {

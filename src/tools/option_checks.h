@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "pomdp_crowd_nav/params/closest_name.h"
 #include "pomdp_crowd_nav/params/number_text.h"
 
 namespace pomdp_crowd_nav {
@@ -34,6 +35,15 @@ inline CLI::Validator positiveNumber() {
     return fmt::format("expected a number above 0, at most {:.0f}, got '{}'", kHighest, text);
   };
   return CLI::Validator(check, "above 0");
+}
+
+inline CLI::Validator oneOf(const std::vector<std::string>& names) {
+  const auto check = [=](std::string& text) -> std::string {
+    if (std::find(names.begin(), names.end(), text) != names.end()) return "";
+    return fmt::format("expected one of {}, got '{}'{}", commaSeparated(names), text,
+                       didYouMean(text, names));
+  };
+  return CLI::Validator(check, "one of " + commaSeparated(names));
 }
 
 // Of an option with several values.

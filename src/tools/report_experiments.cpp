@@ -37,6 +37,11 @@ void run(const Options& options) {
 
 int main(int argc, char** argv) {
   CLI::App app{"Sums results of run_experiments up in Markdown, beside the paper's."};
+  app.footer(std::string(R"(
+Example:
+  run_experiments --planners 1d_astar 2d_fmm --runs 10 --output results.csv
+  report_experiments results.csv > report.md
+)") + kExitStatus);
   Options options;
   addOptions(app, options);
   return runTool("report_experiments", app, argc, argv, [&] {

@@ -43,7 +43,7 @@ void addOptions(CLI::App& app, Options& options) {
       ->capture_default_str();
   app.add_option("--planners", options.plan.planners,
                  "Planners to compare; without it the one of the profile")
-      ->check(CLI::IsMember(plannerNames()));
+      ->check(oneOf(plannerNames()));
   app.add_option("--runs", options.plan.runs, "Episodes of each combination")
       ->check(wholeNumber(1, 1000000))
       ->capture_default_str();
@@ -187,6 +187,15 @@ void run(const Options& options) {
 
 int main(int argc, char** argv) {
   CLI::App app{"Drives episodes without ROS and writes one CSV row for each."};
+  app.footer(std::string(R"(
+Examples:
+  run_experiments --pedestrians 0 --max-trials 1      a first row within a second
+  run_experiments --worlds scenario_1 scenario_2 --pedestrians 100 400 \
+    --planners 1d_astar 2d_fmm --runs 20 --output results.csv
+  ... the same with --resume                          goes on where it was interrupted
+  run_experiments --worlds yard.yaml --profile my_robot.yaml --set search/scenarios=50
+  report_experiments results.csv                      sums them up
+)") + kExitStatusOfLongRuns);
   Options options;
   addOptions(app, options);
   return runTool("run_experiments", app, argc, argv, [&] {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -9,6 +10,7 @@
 #include "option_checks.h"
 #include "pomdp_crowd_nav/evaluation/replay_task.h"
 #include "pomdp_crowd_nav/params/yaml_param_reader.h"
+#include "progress.h"
 #include "run_tool.h"
 
 using namespace pomdp_crowd_nav;
@@ -57,6 +59,8 @@ void run(const Options& options) {
   const std::vector<ReplayTask> tasks = loadReplayTasks(options.tasks);
   requireDrivableTasks(tasks, world, params, options.tasks);
   std::vector<EpisodeResult> results;
+  const bool shows_rows = isatty(STDOUT_FILENO) == 1;
+  Progress progress(0, tasks.size(), "trips");
   fmt::print(
       "person,end,travel_time_s,person_time_s,min_moving_distance_m,person_min_distance_m\n");
   for (const ReplayTask& task : tasks) {
@@ -66,6 +70,7 @@ void run(const Options& options) {
                metrics.travel_time, task.person_time, metrics.min_moving_distance,
                task.person_min_distance);
     std::fflush(stdout);
+    if (!shows_rows) progress.show(results.size());
   }
   const ReplaySummary summary = summarize(tasks, results, kContactDistance);
   fmt::print("tasks={} arrived={} mean_time_ratio={:.3f} robot_contacts={} person_contacts={}\n",
@@ -79,6 +84,10 @@ int main(int argc, char** argv) {
   CLI::App app{
       "Lets the robot take the place of recorded people, one trip each, and compares it with "
       "them."};
+  app.footer(std::string(R"(
+Example (doc/recorded_people.md says where recordings come from):
+  run_replay_tasks --world ucy_zara01 --tracks ucy_zara01.csv --tasks ucy_zara01.json
+)") + kExitStatus);
   Options options;
   app.add_option("--config", options.config, "Folder of worlds and profiles")
       ->capture_default_str();

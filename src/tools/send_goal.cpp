@@ -28,6 +28,25 @@ struct Options {
   double timeout = 300.0;  // [s] of wall clock for everything
 };
 
+void addOptions(CLI::App& app, Options& options) {
+  app.add_option("--world-file", options.world_file, "World whose goal is sent");
+  app.add_option("--x", options.x, "Goal [m]; 'world': the world's")->capture_default_str();
+  app.add_option("--y", options.y, "Goal [m]; 'world': the world's")->capture_default_str();
+  app.add_option("--frame", options.frame, "Frame of --x and --y")->capture_default_str();
+  app.add_option("--timeout", options.timeout, "After which the goal is cancelled [s]")
+      ->check(positiveNumber())
+      ->capture_default_str();
+  app.footer(R"(
+Examples:
+  send_goal --x 8 --y 5 planner_status:=planner_node/status
+  send_goal --world-file yard.yaml sim_metrics:=sim_node/metrics \
+    planner_status:=planner_node/status
+
+Exit status: 0 when the goal was reached and the metrics say that nobody came within 1 m of the
+moving robot, or a newer goal took over; 1 otherwise; 2 for a bad argument.
+)");
+}
+
 double toCoordinate(const std::string& name, const std::string& text) {
   size_t end = 0;
   double value = NAN;
@@ -197,12 +216,7 @@ int main(int argc, char** argv) {
   ros::init(argc, argv, "send_goal");  // takes what is meant for ROS off the command line
   Options options;
   CLI::App app("Sends a goal to the planner, waits for the end of the trip and sums it up");
-  app.add_option("--world-file", options.world_file, "world whose goal is sent");
-  app.add_option("--x", options.x, "[m] goal; 'world': the world's");
-  app.add_option("--y", options.y, "[m] goal; 'world': the world's");
-  app.add_option("--frame", options.frame, "frame of --x and --y");
-  app.add_option("--timeout", options.timeout, "[s] after which the goal is cancelled")
-      ->check(positiveNumber());
+  addOptions(app, options);
   return runTool("send_goal", app, argc, argv, [&] {
     const Point goal = goalOf(options);
     return drive(options, goal) ? 0 : 1;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// What a search must do at the edges of its parameters.
 #include "pomdp_crowd_nav/despot/search.h"
 
 #include <gtest/gtest.h>
@@ -6,197 +7,13 @@
 #include "models/corridor.h"
 #include "models/every_policy.h"
 #include "models/tiger.h"
+#include "plain_search.h"
 
 namespace pomdp_crowd_nav {
 namespace {
 
-constexpr long kEnough = 20000;  // trials
-
-SearchParams paramsFor(int scenarios, int depth, double discount) {
-  SearchParams params;
-  params.scenarios = scenarios;
-  params.max_depth = depth;
-  params.discount = discount;
-  params.regularization = 0.0;
-  return params;
-}
-
-// The first scenarios have the tiger on the left.
-std::vector<Tiger::State> tigers(int count, double left_share) {
-  std::vector<Tiger::State> states;
-  for (int k = 0; k < count; ++k) {
-    states.push_back(k < left_share * count - 0.5 ? Tiger::kTigerLeft : Tiger::kTigerRight);
-  }
-  return states;
-}
-
-// Value of an action of the tiger problem at belief `left` with `steps` left and the best actions
-// to follow, by value iteration over exact beliefs.
-double tigerActionValue(Tiger::Action action, double left, int steps, double discount);
-
-double tigerValue(double left, int steps, double discount) {
-  if (steps == 0) return 0.0;
-  return std::max({tigerActionValue(Tiger::kListen, left, steps, discount),
-                   tigerActionValue(Tiger::kOpenLeft, left, steps, discount),
-                   tigerActionValue(Tiger::kOpenRight, left, steps, discount)});
-}
-
-double tigerActionValue(Tiger::Action action, double left, int steps, double discount) {
-  if (action == Tiger::kOpenLeft) return left * Tiger::kMauled + (1.0 - left) * Tiger::kTreasure;
-  if (action == Tiger::kOpenRight) return (1.0 - left) * Tiger::kMauled + left * Tiger::kTreasure;
-  double value = Tiger::kListening;
-  for (const double hears_left : {Tiger::kHearsRight, 1.0 - Tiger::kHearsRight}) {
-    const double heard = left * hears_left + (1.0 - left) * (1.0 - hears_left);
-    value += discount * heard * tigerValue(left * hears_left / heard, steps - 1, discount);
-  }
-  return value;
-}
-
-Tiger::Action bestOnTiger(double left) {
-  Tiger::Action best = Tiger::kListen;
-  for (const auto action : {Tiger::kOpenLeft, Tiger::kOpenRight}) {
-    if (tigerActionValue(action, left, 5, 0.95) > tigerActionValue(best, left, 5, 0.95)) {
-      best = action;
-    }
-  }
-  return best;
-}
-
-SearchResult<Tiger::Action> searchTiger(double left_share, int scenarios = 400) {
-  const Tiger tiger{Tiger::Params()};
-  Search<Tiger> search(paramsFor(scenarios, 5, 0.95));
-  return search.run(tiger, tigers(scenarios, left_share), SearchLimit::trials(kEnough));
-}
-
-TEST(SearchOnTiger, ListensWhileTheTigerMayBeAnywhere) {
-  const auto result = searchTiger(0.5);
-  EXPECT_EQ(result.statistics.stop, SearchStop::kGapClosed);
-  EXPECT_EQ(result.action, Tiger::kListen);
-  EXPECT_FALSE(result.from_default);
-  ASSERT_GE(result.plan.size(), 2U);
-  EXPECT_EQ(result.plan.front(), Tiger::kListen);
-}
-
-TEST(SearchOnTiger, OpensTheOtherDoorWhenSure) {
-  EXPECT_EQ(searchTiger(0.99).action, Tiger::kOpenRight);
-  EXPECT_EQ(searchTiger(0.01).action, Tiger::kOpenLeft);
-  EXPECT_EQ(searchTiger(1.0).action, Tiger::kOpenRight);
-  EXPECT_EQ(searchTiger(0.0).action, Tiger::kOpenLeft);
-}
-
-TEST(SearchOnTiger, DoesWhatValueIterationDoes) {
-  for (const double left : {0.01, 0.05, 0.2, 0.35, 0.5, 0.65, 0.8, 0.9, 0.95, 0.99}) {
-    EXPECT_EQ(searchTiger(left).action, bestOnTiger(left)) << "tiger left with " << left;
-  }
-  EXPECT_EQ(bestOnTiger(0.5), Tiger::kListen);
-  EXPECT_EQ(bestOnTiger(0.99), Tiger::kOpenRight);
-}
-
-// Ten sets of scenarios: the mean of their optima is near the problem's, a little above it,
-// because each policy is fitted to its scenarios.
-TEST(SearchOnTiger, ValueIsThatOfExactValueIteration) {
-  const double exact = tigerValue(0.5, 5, 0.95);
-  double mean = 0.0;
-  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    const Tiger tiger({0.95, 5, seed});
-    Search<Tiger> search(paramsFor(1000, 5, 0.95));
-    const auto result = search.run(tiger, tigers(1000, 0.5), SearchLimit::trials(kEnough));
-    mean += result.statistics.lower_bound / 10.0;
-  }
-  EXPECT_NEAR(mean, exact, 0.8);
-  EXPECT_GT(exact, 2.0) << "listening for ever is worth -4.5";
-}
-
-TEST(SearchOnTiger, ClosedBoundsAreTheOptimumOverTheScenarios) {
-  for (const double lambda : {0.0, 0.01, 0.1, 0.5, 2.0, 20.0}) {
-    for (const double left : {0.5, 0.7, 0.97}) {
-      SearchParams params = paramsFor(60, 5, 0.95);
-      params.regularization = lambda;
-      const Tiger tiger{Tiger::Params()};
-      const double optimum = EveryPolicy<Tiger>(tiger, params).optimum(tigers(60, left));
-      Search<Tiger> search(params);
-      const auto result = search.run(tiger, tigers(60, left), SearchLimit::trials(kEnough));
-      EXPECT_EQ(result.statistics.stop, SearchStop::kGapClosed) << lambda << ", " << left;
-      EXPECT_NEAR(result.statistics.lower_bound, optimum, 1e-4) << lambda << ", " << left;
-      EXPECT_NEAR(result.statistics.upper_bound, optimum, 1e-4) << lambda << ", " << left;
-    }
-  }
-}
-
-TEST(SearchOnCorridor, ClosedBoundsAreTheOptimumOverTheScenarios) {
-  for (const double lambda : {0.0, 0.01, 0.1, 0.4, 0.8, 1.2, 2.0, 20.0}) {
-    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-      SearchParams params = paramsFor(seed < 4 ? 20 : 3, 5, 0.9);
-      params.regularization = lambda;
-      Corridor::Params corridor;
-      corridor.seed = seed;
-      const Corridor model(corridor);
-      const EveryPolicy<Corridor> every_policy(model, params);
-      const double optimum = every_policy.optimum({{0}});
-      Search<Corridor> search(params);
-      const auto result = search.run(model, {{0}}, SearchLimit::trials(kEnough));
-      EXPECT_EQ(result.statistics.stop, SearchStop::kGapClosed) << lambda << ", " << seed;
-      EXPECT_NEAR(result.statistics.lower_bound, optimum, 1e-4) << lambda << ", " << seed;
-      EXPECT_NEAR(result.statistics.upper_bound, optimum, 1e-4) << lambda << ", " << seed;
-      if (lambda == 0.0) {
-        EXPECT_NEAR(every_policy.valueOf(result.action, {{0}}), optimum, 1e-4) << seed;
-      }
-    }
-  }
-}
-
-TEST(SearchOnCorridor, BoundsEncloseTheOptimumAfterEveryTrial) {
-  SearchParams params = paramsFor(20, 5, 0.9);
-  params.regularization = 0.05;
-  const Corridor model{Corridor::Params()};
-  const double optimum = EveryPolicy<Corridor>(model, params).optimum({{0}});
-  Search<Corridor> search(params);
-  for (long trials = 0; trials < 60; ++trials) {
-    const auto result = search.run(model, {{0}}, SearchLimit::trials(trials));
-    EXPECT_LE(result.statistics.lower_bound, optimum + 1e-4) << trials;
-    EXPECT_GE(result.statistics.upper_bound, optimum - 1e-4) << trials;
-  }
-}
-
-TEST(SearchOnCorridor, ABeliefIsWorthItsBetterDefaultPolicy) {
-  Corridor::Params one;
-  one.has_second_policy = false;
-  SearchParams params = paramsFor(20, 5, 0.9);
-  params.regularization = 50.0;  // no policy of its own pays
-  Search<Corridor> search(params);
-  const auto stays = search.run(Corridor(one), {{0}}, SearchLimit::trials(kEnough));
-  const auto walks = search.run(Corridor(Corridor::Params()), {{0}}, SearchLimit::trials(kEnough));
-  const double standing = -(1.0 - std::pow(0.9, 5)) / 0.1;
-  EXPECT_LE(stays.statistics.lower_bound, standing + 1e-4);
-  EXPECT_GT(walks.statistics.lower_bound, stays.statistics.lower_bound + 1.0);
-}
-
-// A bound that allows for the reward one step late only: the search must not stop before it has
-// seen that the step after arrival pays.
-TEST(SearchOnCorridor, TheGoalPaysTheStepAfterArrival) {
-  Corridor::Params corridor;
-  corridor.horizon = Corridor::kGoal + 1;
-  SearchParams params = paramsFor(1, corridor.horizon, 0.9);
-  const Corridor model(corridor);
-  Search<Corridor> search(params);
-  const auto result = search.run(model, {{Corridor::kGoal}}, SearchLimit::trials(kEnough));
-  EXPECT_NEAR(result.statistics.lower_bound, Corridor::kArrival + Corridor::kWaiting, 1e-4);
-  EXPECT_EQ(result.statistics.stop, SearchStop::kGapClosed);
-
-  // One cell before it with a single step left, arriving is worth nothing more than standing.
-  SearchParams short_params = paramsFor(1, 1, 0.9);
-  corridor.horizon = 1;
-  Search<Corridor> short_search(short_params);
-  const auto late =
-      short_search.run(Corridor(corridor), {{Corridor::kGoal - 1}}, SearchLimit::trials(kEnough));
-  EXPECT_LT(late.statistics.lower_bound, 0.0);
-  EXPECT_EQ(late.statistics.bound_violations, 0);
-}
-
-// ---- What a search must do at the edges of its parameters ------------------------------------
-
 TEST(Search, UtilityBoundIsFormedWithoutRegularisation) {
-  SearchParams params = paramsFor(20, 5, 0.9);
+  SearchParams params = plainSearch(20, 5, 0.9);
   params.regularization = 0.2;
   const Corridor model{Corridor::Params()};
   Search<Corridor> search(params);
@@ -211,7 +28,7 @@ TEST(Search, UtilityBoundIsFormedWithoutRegularisation) {
 }
 
 TEST(Search, OverwhelmingRegularisationKeepsTheDefaultPolicy) {
-  SearchParams params = paramsFor(20, 5, 0.9);
+  SearchParams params = plainSearch(20, 5, 0.9);
   params.regularization = 1000.0;
   Search<Corridor> search(params);
   const Corridor model{Corridor::Params()};
@@ -222,7 +39,7 @@ TEST(Search, OverwhelmingRegularisationKeepsTheDefaultPolicy) {
 }
 
 TEST(Search, WithoutATrialTheRootIsExpandedOnce) {
-  Search<Corridor> search(paramsFor(20, 5, 0.9));
+  Search<Corridor> search(plainSearch(20, 5, 0.9));
   const auto result = search.run(Corridor(Corridor::Params()), {{0}}, SearchLimit::trials(0));
   EXPECT_EQ(result.statistics.trials, 0);
   EXPECT_EQ(result.statistics.expansions, 1);
@@ -236,7 +53,7 @@ TEST(Search, TakesTheActionOfTheBestLowerBound) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     Corridor::Params corridor;
     corridor.seed = seed;
-    Search<Corridor> search(paramsFor(20, 5, 0.9));
+    Search<Corridor> search(plainSearch(20, 5, 0.9));
     for (long trials = 0; trials < 20; ++trials) {
       const auto result = search.run(Corridor(corridor), {{1}}, SearchLimit::trials(trials));
       const auto& tree = search.tree();
@@ -253,7 +70,7 @@ TEST(Search, TakesTheActionOfTheBestLowerBound) {
 }
 
 TEST(Search, WithoutDepthTheDefaultActionIsTaken) {
-  Search<Corridor> search(paramsFor(20, 0, 0.9));
+  Search<Corridor> search(plainSearch(20, 0, 0.9));
   const auto result = search.run(Corridor(Corridor::Params()), {{0}}, SearchLimit::trials(kEnough));
   EXPECT_TRUE(result.from_default);
   EXPECT_EQ(result.action, Corridor::kStay);
@@ -263,7 +80,7 @@ TEST(Search, WithoutDepthTheDefaultActionIsTaken) {
 }
 
 TEST(Search, DeadlineInThePastStillGivesALegalAction) {
-  Search<Corridor> search(paramsFor(20, 5, 0.9));
+  Search<Corridor> search(plainSearch(20, 5, 0.9));
   const auto past = SearchLimit::Clock::now() - std::chrono::seconds(1);
   const auto result = search.run(Corridor(Corridor::Params()), {{0}}, SearchLimit::until(past));
   EXPECT_EQ(result.statistics.stop, SearchStop::kDeadline);
@@ -274,7 +91,7 @@ TEST(Search, DeadlineInThePastStillGivesALegalAction) {
 TEST(Search, AClosedRootIsExpandedToFindItsAction) {
   Corridor::Params corridor;
   corridor.upper = -100.0F;  // below the default policy: the root's bounds meet at once
-  Search<Corridor> search(paramsFor(1, 5, 0.9));
+  Search<Corridor> search(plainSearch(1, 5, 0.9));
   const auto result =
       search.run(Corridor(corridor), {{Corridor::kGoal}}, SearchLimit::trials(kEnough));
   EXPECT_EQ(result.statistics.stop, SearchStop::kGapClosed);
@@ -285,7 +102,7 @@ TEST(Search, AClosedRootIsExpandedToFindItsAction) {
 TEST(Search, BoundViolationsAreCounted) {
   Corridor::Params corridor;
   corridor.upper = -3.0F;
-  SearchParams params = paramsFor(20, 5, 0.9);
+  SearchParams params = plainSearch(20, 5, 0.9);
   Search<Corridor> search(params);
   const auto result = search.run(Corridor(corridor), {{0}}, SearchLimit::trials(50));
   EXPECT_GT(result.statistics.bound_violations, 0);
@@ -317,7 +134,7 @@ struct Overrated {
 
 // However small the leaf's share in the root's value.
 TEST(Search, SmallBoundViolationsOfSmallLeavesAreCounted) {
-  Search<Overrated> search(paramsFor(1000, 10, 0.5));
+  Search<Overrated> search(plainSearch(1000, 10, 0.5));
   const auto result = search.run(Overrated(), {{}}, SearchLimit::trials(0));
   EXPECT_EQ(result.statistics.bound_violations, 1000);
 }
@@ -339,17 +156,17 @@ class Understated : public Corridor {
 
 TEST(Search, BoundViolationsThatComeUpLaterAreCounted) {
   const Understated model{Corridor::Params()};
-  Search<Understated> search(paramsFor(20, 5, 0.9));
+  Search<Understated> search(plainSearch(20, 5, 0.9));
   const auto result = search.run(model, {{0}}, SearchLimit::trials(kEnough));
   EXPECT_GE(result.statistics.bound_violations, 1);
   EXPECT_LE(result.statistics.lower_bound, result.statistics.upper_bound);
-  Search<Corridor> sound(paramsFor(20, 5, 0.9));
+  Search<Corridor> sound(plainSearch(20, 5, 0.9));
   const auto right = sound.run(Corridor(Corridor::Params()), {{0}}, SearchLimit::trials(kEnough));
   EXPECT_EQ(right.statistics.bound_violations, 0);
 }
 
 TEST(Search, StopsAtTheNodeLimit) {
-  SearchParams params = paramsFor(50, 5, 0.9);
+  SearchParams params = plainSearch(50, 5, 0.9);
   params.max_nodes = 100;
   Search<Corridor> search(params);
   const auto result = search.run(Corridor(Corridor::Params()), {{0}}, SearchLimit::trials(kEnough));
@@ -361,7 +178,7 @@ TEST(Search, StopsAtTheNodeLimit) {
 }
 
 TEST(Search, ANodeLimitOfOneStillGivesAnAction) {
-  SearchParams params = paramsFor(50, 5, 0.9);
+  SearchParams params = plainSearch(50, 5, 0.9);
   params.max_nodes = 1;
   Search<Corridor> search(params);
   const auto result = search.run(Corridor(Corridor::Params()), {{0}}, SearchLimit::trials(kEnough));
@@ -372,7 +189,7 @@ TEST(Search, ANodeLimitOfOneStillGivesAnAction) {
 TEST(Search, StopsAtTheMemoryLimit) {
   Corridor::Params corridor;
   corridor.horizon = 25;
-  SearchParams params = paramsFor(200, 25, 0.9);
+  SearchParams params = plainSearch(200, 25, 0.9);
   params.max_memory = 0.05;
   Search<Corridor> search(params);
   const auto result = search.run(Corridor(corridor), {{0}}, SearchLimit::trials(kEnough));
@@ -384,7 +201,7 @@ TEST(Search, StopsAtTheMemoryLimit) {
 
 TEST(Search, StopsAtTheLowerBoundThatWasAskedFor) {
   SearchLimit limit = SearchLimit::trials(kEnough);
-  Search<Corridor> search(paramsFor(50, 5, 0.9));
+  Search<Corridor> search(plainSearch(50, 5, 0.9));
   const Corridor model{Corridor::Params()};
   const double best = search.run(model, {{0}}, limit).statistics.lower_bound;
   limit.lower_bound = best - 0.5;
@@ -400,7 +217,7 @@ TEST(Search, EndsByTheDeadline) {
   corridor.horizon = 25;
   corridor.discount = 0.99;
   const Corridor model(corridor);
-  Search<Corridor> search(paramsFor(500, 25, 0.99));
+  Search<Corridor> search(plainSearch(500, 25, 0.99));
   const auto start = SearchLimit::Clock::now();
   const auto result =
       search.run(model, {{0}}, SearchLimit::until(start + std::chrono::milliseconds(100)));
@@ -411,7 +228,7 @@ TEST(Search, EndsByTheDeadline) {
 }
 
 TEST(Search, StopsAtTheTrialLimit) {
-  Search<Corridor> search(paramsFor(20, 5, 0.9));
+  Search<Corridor> search(plainSearch(20, 5, 0.9));
   const auto result = search.run(Corridor(Corridor::Params()), {{0}}, SearchLimit::trials(17));
   EXPECT_EQ(result.statistics.stop, SearchStop::kTrialLimit);
   EXPECT_EQ(result.statistics.trials, 17);
@@ -422,7 +239,7 @@ TEST(Search, WithoutALimitItEndsWithAClosedGap) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     Corridor::Params corridor;
     corridor.seed = seed;
-    SearchParams params = paramsFor(30, 5, 0.9);
+    SearchParams params = plainSearch(30, 5, 0.9);
     params.regularization = 0.01;
     Search<Corridor> search(params);
     const auto result = search.run(Corridor(corridor), {{0}}, SearchLimit::trials(1000000));
@@ -432,7 +249,7 @@ TEST(Search, WithoutALimitItEndsWithAClosedGap) {
 }
 
 TEST(Search, CountsItsModelSteps) {
-  Search<Corridor> search(paramsFor(20, 5, 0.9));
+  Search<Corridor> search(plainSearch(20, 5, 0.9));
   const auto result = search.run(Corridor(Corridor::Params()), {{0}}, SearchLimit::trials(40));
   long steps = 0;
   for (const BeliefNode& node : search.tree().beliefs) {
@@ -442,7 +259,7 @@ TEST(Search, CountsItsModelSteps) {
 }
 
 TEST(Search, RejectsParametersOutOfRange) {
-  EXPECT_THROW(Search<Tiger>(paramsFor(0, 5, 0.9)), std::invalid_argument);
+  EXPECT_THROW(Search<Tiger>(plainSearch(0, 5, 0.9)), std::invalid_argument);
 }
 
 }  // namespace

@@ -275,11 +275,11 @@ TEST(LoadParams, AValueOutOfRangeIsRefused) {
   EXPECT_EQ(messageFor("model: {discount: 1.2}"), "discount must be in (0, 1), got 1.2");
   EXPECT_EQ(messageFor("planner_frequency: -0.5"),
             "planner_frequency must be between 0.1 and 5 Hz, got -0.5");
-  EXPECT_EQ(messageFor("planner_frequency: 6"),
-            "planner_frequency must be between 0.1 and 5 Hz, got 6");
+  EXPECT_EQ(messageFor("planner_frequency: 5.5"),
+            "planner_frequency must be between 0.1 and 5 Hz, got 5.5");
   EXPECT_EQ(messageFor("planner: fmm"),
             "planner must be one of 2d_fmm, 2d_prm, 2d_straight, 2d_nhv, 2d_nhv_fm2, 1d_astar, "
-            "got 'fmm'");
+            "got 'fmm', did you mean '2d_fmm'?");
   EXPECT_EQ(messageFor("search_time: -0.5"), "search_time must be positive, got -0.5");
   EXPECT_EQ(messageFor("controller_frequency: -0.5"),
             "controller_frequency must be positive, got -0.5");
@@ -290,13 +290,13 @@ TEST(LoadParams, AValueOutOfRangeIsRefused) {
   EXPECT_EQ(messageFor("robot_radius: -0.5"), "robot_radius must be positive, got -0.5");
   EXPECT_EQ(messageFor("attended_pedestrians: 65"),
             "attended_pedestrians must be between 0 and 64, got 65");
-  EXPECT_EQ(messageFor("path: {time_share: 1.0}"), "path/time_share must be in (0, 1), got 1");
+  EXPECT_EQ(messageFor("path: {time_share: 1.5}"), "path/time_share must be in (0, 1), got 1.5");
   EXPECT_EQ(messageFor("path: {max_expansions: 0}"),
             "path/max_expansions must be at least 1, got 0");
   EXPECT_EQ(messageFor("path: {pedestrian_noise: -0.5}"),
             "path/pedestrian_noise must be at least 0, got -0.5");
   EXPECT_EQ(messageFor("path: {pace: -0.5}"), "path/pace must be at least 0, got -0.5");
-  EXPECT_EQ(messageFor("path: {cell: 0.0}"), "path/cell must be positive, got 0");
+  EXPECT_EQ(messageFor("path: {cell: -0.5}"), "path/cell must be positive, got -0.5");
   EXPECT_EQ(messageFor("search: {scenarios: 0}"),
             "search/scenarios must be between 1 and 65535, got 0");
   EXPECT_EQ(messageFor("model: {bold_distance: -0.5}"),

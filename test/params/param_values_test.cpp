@@ -51,8 +51,8 @@ TEST(ParamValues, ThatDoNotFitAreRefused) {
             "new parameters: unknown key 'reward/goall', did you mean 'reward/goal'?");
   EXPECT_EQ(refusal({{"reward/goal", 5}}),
             "new parameters: reward/goal: expected a number, got '5'");
-  EXPECT_EQ(refusal({{"model/far_distance", 2.0}}),
-            "far_distance must be at least near_distance, got 2");
+  EXPECT_EQ(refusal({{"model/far_distance", 2.5}}),
+            "far_distance must be at least near_distance, got 2.5");
   EXPECT_NE(refusal({{"search_time", 20.0}}).find("search_time must be between"),
             std::string::npos);
   EXPECT_NE(refusal({{"planner", std::string("2d_nhv")}}).find("for vehicle 'holonomic'"),

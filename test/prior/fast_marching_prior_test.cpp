@@ -191,8 +191,8 @@ TEST(FastMarchingPriorTest, RejectsParametersOutOfRange) {
   EXPECT_EQ(rejection(params), "accepted");
   params.blocked_speed = 1.2;
   EXPECT_EQ(rejection(params), "prior.blocked_speed must be in (0, 1), got 1.2");
-  params.blocked_speed = 0.0;
-  EXPECT_EQ(rejection(params), "prior.blocked_speed must be in (0, 1), got 0");
+  params.blocked_speed = -0.5;
+  EXPECT_EQ(rejection(params), "prior.blocked_speed must be in (0, 1), got -0.5");
   params = PriorParams();
   params.narrow_speed = 0.001;
   EXPECT_EQ(rejection(params),
@@ -203,8 +203,8 @@ TEST(FastMarchingPriorTest, RejectsParametersOutOfRange) {
   params.resolution = 1e-6;
   EXPECT_NE(rejection(params).find("1e-06"), std::string::npos);
   params = PriorParams();
-  params.extra_clearance = -1.0;
-  EXPECT_EQ(rejection(params), "prior.extra_clearance must be at least 0, got -1");
+  params.extra_clearance = -0.5;
+  EXPECT_EQ(rejection(params), "prior.extra_clearance must be at least 0, got -0.5");
 }
 
 }  // namespace

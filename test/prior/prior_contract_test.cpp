@@ -149,8 +149,8 @@ TEST_P(PriorContract, AnswersTheSameToManyThreads) {
 
 TEST_P(PriorContract, RejectsAGoalOffTheMapOrInsideAnObstacle) {
   const StaticMap map = mapWithDiscs();
-  EXPECT_EQ(rejection(GetParam(), map, {40.5, 10.0}), "goal (40.5, 10) is off the map");
-  EXPECT_EQ(rejection(GetParam(), map, {26.0, 10.5}), "goal (26, 10.5) is inside an obstacle");
+  EXPECT_EQ(rejection(GetParam(), map, {40.5, 10.5}), "goal (40.5, 10.5) is off the map");
+  EXPECT_EQ(rejection(GetParam(), map, {26.5, 10.5}), "goal (26.5, 10.5) is inside an obstacle");
   EXPECT_NE(rejection(GetParam(), map, {std::nan(""), 1.0}), "accepted");
   EXPECT_EQ(rejection(GetParam(), map, {40.0, 30.0}), "accepted");
 }

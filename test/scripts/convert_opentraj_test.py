@@ -4,8 +4,9 @@
 import pathlib
 import subprocess
 import sys
-import tempfile
 import unittest
+
+from surroundings import FolderTest
 
 SCRIPT = pathlib.Path(__file__).resolve().parents[2] / "scripts/convert_opentraj.py"
 OBSMAT = """ 1.000000e+00 1.0e+00 1.6413e+00 0.0 2.188291e+00 -0.16 0.0 0.70
@@ -22,17 +23,7 @@ VSP = """1 - the number of splines
 """
 
 
-class ConvertTest(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-
-    def write(self, name, text):
-        path = self.folder / name
-        path.write_text(text)
-        return str(path)
-
+class ConvertTest(FolderTest):
     def convert(self, *args, status=0):
         result = subprocess.run([sys.executable, str(SCRIPT), *args], stdout=subprocess.PIPE,
                                 stderr=subprocess.PIPE, text=True, timeout=30, check=False)

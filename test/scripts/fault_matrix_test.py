@@ -8,8 +8,9 @@ row's name and bound as literals.
 import importlib.util
 import pathlib
 import re
-import tempfile
 import unittest
+
+from surroundings import FolderTest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CALL = re.compile(r"\bexpect(?:Rest|DriveOn)\(\s*(?:Fault)?\{(.*?)\}", re.S)
@@ -52,11 +53,9 @@ AS_ELEMENT = ('<properties><property name="fault" value="odometry silent"/>'
 AS_ATTRIBUTES = 'fault="odometry silent" bound_s="1.80" rest_s="1.23"'
 
 
-class FaultMatrixTest(unittest.TestCase):
+class FaultMatrixTest(FolderTest):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
+        super().setUp()
         self.results = self.folder / "results/package"
         self.results.mkdir(parents=True)
         self.document = self.folder / "safety.md"

@@ -9,7 +9,6 @@ import os
 import pathlib
 import shutil
 import signal
-import socket
 import subprocess
 import sys
 import tempfile
@@ -18,17 +17,13 @@ import time
 import rosgraph
 import yaml
 
+from surroundings import free_port
+
 SHARE = pathlib.Path(__file__).resolve().parents[2]
 PROFILE = yaml.safe_load((SHARE / "config/profiles/movo.yaml").read_text())
 WORLD = str(SHARE / "config/worlds/scenario_1.yaml")
 PATIENCE = 60.0  # [s]
 processes = []
-
-
-def free_port():
-    with socket.socket() as s:
-        s.bind(("127.0.0.1", 0))
-        return s.getsockname()[1]
 
 
 def start(*command, **options):

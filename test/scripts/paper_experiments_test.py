@@ -3,8 +3,9 @@
 """paper_experiments.sh refuses bad arguments, and goes on where it ended; with stubs as its tools."""
 import pathlib
 import subprocess
-import tempfile
 import unittest
+
+from surroundings import FolderTest
 
 SCRIPT = pathlib.Path(__file__).resolve().parents[2] / "scripts/paper_experiments.sh"
 TOOLS = ("run_experiments", "omniscient_bound", "report_experiments", "export_decision")
@@ -17,11 +18,9 @@ while [ $# -gt 0 ]; do [ "$1" != --output ] || echo x >"$2"; shift; done
 """
 
 
-class PaperExperimentsTest(unittest.TestCase):
+class PaperExperimentsTest(FolderTest):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
+        super().setUp()
         self.tools = self.folder / "tools"
         self.tools.mkdir()
         for name in TOOLS:

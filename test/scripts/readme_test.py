@@ -211,12 +211,26 @@ def check_commands(root):
                     for package in sorted(needed - installed))
 
 
+def prose_of(path):
+    return re.sub(r"```.*?```", "", path.read_text(), flags=re.DOTALL)
+
+
+def anchors_of(path):
+    """The ends of links that GitHub makes of headings."""
+    headings = re.findall(r"^#+ (.*)$", prose_of(path), re.M)
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
+
+
 def check_links(root):
     for path in [*root.glob("*.md"), *(root / "doc").glob("*.md")]:
-        text = re.sub(r"```.*?```", "", path.read_text(), flags=re.DOTALL)
-        for link in re.findall(r"\]\(([^)#]+)[^)]*\)", text):
-            if "://" not in link and not (path.parent / link).exists():
+        for link, anchor in re.findall(r"\]\(([^)#]*)#?([^)]*)\)", prose_of(path)):
+            target = path.parent / link if link else path
+            if "://" in link:
+                continue
+            if not target.exists():
                 problems.append(f"{path.name}: the link {link} leads nowhere")
+            elif anchor and anchor not in anchors_of(target):
+                problems.append(f"{path.name}: {target.name} has no heading {anchor}")
 
 
 def main():
@@ -224,7 +238,8 @@ def main():
     text = (root / "README.md").read_text()
     check_parameters(root, tables_of(text))
     check_reconfigurable(root, tables_of(text))
-    check_tools(root, text)
+    check_tools(root, text + "".join((root / "doc" / name).read_text()
+                                     for name in ("tools.md", "movo.md")))
     check_build_folders(text)
     check_commands(root)
     check_links(root)

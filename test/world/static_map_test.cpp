@@ -137,8 +137,8 @@ TEST(StaticMapTest, ManyObstaclesGiveTheClearanceOfThePlainLoop) {
 
 TEST(StaticMapTest, RejectsWhatIsNoMap) {
   const Bounds field{{0.0, 0.0}, {10.0, 10.0}};
-  EXPECT_EQ(rejection({{0.0, 0.0}, {10.0, 0.0}}, {}),
-            "map: bounds must not be empty, got (0, 0) to (10, 0)");
+  EXPECT_EQ(rejection({{0.5, 0.5}, {10.5, 0.5}}, {}),
+            "map: bounds must not be empty, got (0.5, 0.5) to (10.5, 0.5)");
   EXPECT_EQ(rejection(field, {{{{1.0, 1.0}, 1.0}, {{2.0, 2.0}, -0.5}}, {}, {}}),
             "map: radius of circle 1 must be positive, got -0.5");
   EXPECT_NE(rejection(field, {{{{std::nan(""), 1.0}, 1.0}}, {}, {}}), "accepted");
@@ -159,8 +159,8 @@ TEST(StaticMapTest, RejectsAGridThatDoesNotMatchItsCells) {
   grid.rows = -6;
   EXPECT_NE(rejection(field, {{}, {}, grid}), "accepted");
   grid = gridWithOneBlockedCell();
-  grid.resolution = 0.0;
-  EXPECT_EQ(rejection(field, {{}, {}, grid}), "map: grid resolution must be positive, got 0");
+  grid.resolution = -0.5;
+  EXPECT_EQ(rejection(field, {{}, {}, grid}), "map: grid resolution must be positive, got -0.5");
 }
 
 }  // namespace

@@ -14,6 +14,7 @@ struct LearnedDestination {
   int people = 0;            // who begin or end their walk there
 };
 
+// What was found in a recording.
 struct LearnedDestinations {
   std::vector<LearnedDestination> destinations;  // by decreasing number of people
   int walks = 0;                                 // long enough to be looked at
@@ -21,6 +22,7 @@ struct LearnedDestinations {
   int ends_near = 0;                             // of these, who belong to a destination
 };
 
+// What counts as a walk and as a destination.
 struct LearningParams {
   double merge_distance = 2.0;  // [m], ends this close to a destination belong to it
   int min_people = 5;           // of a destination

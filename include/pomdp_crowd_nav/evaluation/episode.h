@@ -14,6 +14,7 @@
 
 namespace pomdp_crowd_nav {
 
+// Robot, world outside it, and when a search and an episode end.
 struct EpisodeParams {
   NavigationParams navigation;
   Simulator::Params simulator;
@@ -28,6 +29,7 @@ enum class EpisodeEnd { kGoalReached, kTimeLimit, kLeftField, kHitObstacle };
 
 const char* describe(EpisodeEnd end);
 
+// How an episode went.
 struct EpisodeResult {
   EpisodeEnd end = EpisodeEnd::kTimeLimit;
   EpisodeMetrics metrics;

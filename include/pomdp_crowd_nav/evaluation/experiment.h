@@ -41,7 +41,7 @@ using ResultSink = std::function<void(size_t, const EpisodeResult&)>;
 void runTrials(const std::vector<Trial>& trials, int jobs, const TrialRunner& runner,
                const ResultSink& sink);
 
-// The columns of a results file, and a row of it (README, section Tools).
+// The columns of a results file, and a row of it (doc/tools.md).
 std::string csvHeader();
 std::string csvRow(const Trial& trial, const EpisodeResult& result);
 

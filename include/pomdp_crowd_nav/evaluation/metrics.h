@@ -23,6 +23,7 @@ struct EpisodeMetrics {
   double max_speed = 0.0;  // [m/s]
 };
 
+// Measures an episode tick by tick.
 class MetricsRecorder {
  public:
   struct Params {

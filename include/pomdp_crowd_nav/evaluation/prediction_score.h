@@ -18,12 +18,14 @@ struct PredictionScore {
   double near_share = 0.0;   // of the futures that are near the real place
 };
 
+// Scores of predictions this far ahead.
 struct PredictionScores {
   double horizon = 0.0;  // [s]
   PredictionScore all;   // everybody seen for `history` already
   PredictionScore slow;  // of these who walked slowly in that time, or stood
 };
 
+// How people are predicted and what is compared.
 struct PredictionParams {
   BeliefTracker::Params belief;
   double pedestrian_noise = 0.2;  // [m], half width of the noise on a walk of 1 s

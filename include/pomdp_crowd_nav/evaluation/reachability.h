@@ -12,6 +12,7 @@ namespace pomdp_crowd_nav {
 // Why the robot cannot stand at a goal; empty when it can.
 std::string whyNotAPlace(const Point& goal, const StaticMap& map, const ModelParams& model);
 
+// Where a trip begins and ends [m].
 struct Way {
   Point from;
   Point goal;

@@ -59,6 +59,7 @@ struct BoundDistance {
   Summary difference;  // [s], travel time less bound
   Summary ratio;       // travel time over bound
 };
+// Against the omniscient plan and against the drive without people.
 struct BoundDistances {
   BoundDistance plan;
   BoundDistance free_drive;

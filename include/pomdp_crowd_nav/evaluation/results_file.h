@@ -11,7 +11,7 @@
 
 namespace pomdp_crowd_nav {
 
-// A row of a results file (README, section Tools).
+// A row of a results file (doc/tools.md).
 struct EpisodeRow {
   Trial trial;
   bool reached = false;
@@ -29,6 +29,7 @@ struct EpisodeRow {
   std::optional<std::int64_t> stale_paths;
 };
 
+// A results file with its settings.
 struct ResultsFile {
   std::string path;
   std::vector<EpisodeRow> rows;
@@ -44,6 +45,7 @@ struct TripBounds {
   std::optional<double> plan;  // [s], of the omniscient plan, where one was found
   double free_drive = 0.0;     // [s], no trip takes less
 };
+// Which trip a bound belongs to.
 struct TripKey {
   std::string world;
   int pedestrians = 0;

@@ -5,6 +5,7 @@
 
 namespace pomdp_crowd_nav {
 
+// Of a sample.
 struct Summary {
   int count = 0;
   double mean = 0.0;            // NaN without values

@@ -13,7 +13,7 @@ struct Offset {
 
 template <class Value>
 struct RobotLanes {
-  Value x, y, direction_x, direction_y, speed;
+  Value x, y, direction_x, direction_y, speed;  // [m], unit vector, [m/s]
 };
 
 // What the field says at the robots' places.

@@ -16,13 +16,7 @@ namespace pomdp_crowd_nav {
 // is replaced by somebody new at an edge, who walks to a destination in the opposite half.
 class CornerCrowd : public Crowd {
  public:
-  struct Params {
-    int pedestrians = 100;
-    // How the place along an edge is drawn. false: with the draw that chose the edge, as in the
-    // authors' code, so that each edge has one busy quarter; true: with a draw of its own.
-    bool uniform_respawn = false;
-    std::uint64_t seed = 1;
-  };
+  using Params = CrowdParams;
 
   // Throws std::invalid_argument when the world has no destinations.
   CornerCrowd(const World& world, const Params& params);

@@ -14,6 +14,15 @@ struct Walker {
   Point position{0.0, 0.0};  // [m]
 };
 
+// What every generated crowd may need; each takes its part.
+struct CrowdParams {
+  int pedestrians = 100;
+  // How the place along an edge is drawn. false: with the draw that chose the edge, as in the
+  // authors' code, so that each edge has one busy quarter; true: with a draw of its own.
+  bool uniform_respawn = false;
+  std::uint64_t seed = 1;
+};
+
 // The people outside the robot. They do not react to it, so a crowd is a function of its seed and
 // the time alone: every planner of one experiment meets exactly the same people.
 class Crowd {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "pomdp_crowd_nav/sim/base.h"
 #include "pomdp_crowd_nav/sim/crowd.h"
@@ -16,9 +17,10 @@ class Simulator {
   struct Params {
     VehicleParams vehicle;
     PersonSensor::Params sensor;
-    double command_timeout = 0.5;  // [s], an older command brings the base to rest
-    int pedestrians = 100;         // people in a generated crowd
-    bool uniform_respawn = false;  // false: the paper's rule (facts sheet, section 1)
+    double command_timeout = 0.5;   // [s], an older command brings the base to rest
+    std::string crowd = "corners";  // how people walk who are generated, see crowdNames()
+    int pedestrians = 100;          // people in a generated crowd
+    bool uniform_respawn = false;   // false: the paper's rule (facts sheet, section 1)
     std::uint64_t seed = 1;
   };
 
