@@ -10,14 +10,14 @@
 namespace pomdp_crowd_nav {
 namespace {
 
-constexpr double kLongestPeriod = 0.1;  // [s], a later tick allows no more change
-constexpr double kRestSpeed = 0.03;     // [m/s]
-constexpr double kRestYawRate = 0.05;   // [rad/s]
-constexpr double kFarthest = 1e6;       // [m] from the origin of odometry
-constexpr double kPlausible = 3.0;      // times its maximum speed, no base drives faster
+constexpr double kLongestPeriod = 0.1;   // [s], a later tick allows no more change
+constexpr double kRestSpeed = 0.03;      // [m/s]
+constexpr double kRestYawRate = 0.05;    // [rad/s]
+constexpr double kFarthest = 1e6;        // [m] from the origin of odometry
+constexpr double kPlausible = 3.0;       // times its maximum speed, no base drives faster
 constexpr double kFastestPerson = 20.0;  // [m/s], the speed of a faster one is not known
-constexpr double kRestTime = 0.2;       // [s] of zeros at least
-constexpr double kRestPatience = 5.0;   // [s] of zeros for a base that is not seen to rest
+constexpr double kRestTime = 0.2;        // [s] of zeros at least
+constexpr double kRestPatience = 5.0;    // [s] of zeros for a base that is not seen to rest
 
 double speedOf(const Point& velocity) { return std::hypot(velocity.x(), velocity.y()); }
 
@@ -247,8 +247,8 @@ VelocityGuard::Output VelocityGuard::stopped(GuardCause cause, double now, doubl
                            cause != GuardCause::kCommandNotFinite;
   const double measured = hasMotion(now) ? speedOf(velocity_.velocity) : VelocityLimiter::kNoCap;
   const VelocityLimiter::Caps caps = limiter_.brakingCaps(period, measured);
-  const bool had_nothing_to_stop = !has_command && isZero(command_) && is_command_finite_ &&
-                                   take_over_ != TakeOver::kBrakes;
+  const bool had_nothing_to_stop =
+      !has_command && isZero(command_) && is_command_finite_ && take_over_ != TakeOver::kBrakes;
   Output output;
   output.cause = had_nothing_to_stop ? GuardCause::kNone : cause;
   output.wanted_speed = has_command ? speedOf(command_.velocity) : 0.0;

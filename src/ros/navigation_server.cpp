@@ -39,11 +39,12 @@ NavigationServer::NavigationServer(ros::NodeHandle node, ros::NodeHandle private
       display_(private_node, params.frames.global, params.destinations),
       status_(node, private_node, params.frames.base),
       commands_(node.advertise<geometry_msgs::Twist>("cmd_vel", 1)),
-      goals_(node, {[this](const auto& goal, std::string& why) { return checkGoal(goal, why); },
-                    [this](const Goal& goal) { startTrip(goal); },
-                    [this](long number) {
-                      drive_.with([&](Drive& drive) { cancelTrip(number, steadySeconds(), drive); });
-                    }}),
+      goals_(node,
+             {[this](const auto& goal, std::string& why) { return checkGoal(goal, why); },
+              [this](const Goal& goal) { startTrip(goal); },
+              [this](long number) {
+                drive_.with([&](Drive& drive) { cancelTrip(number, steadySeconds(), drive); });
+              }}),
       pause_(private_node.advertiseService("pause", &NavigationServer::onPause, this)),
       make_plan_(private_node, params, drive_, map_work_,
                  [this](const auto& goal, std::string& why) { return checkGoal(goal, why); }),

@@ -161,8 +161,8 @@ void VelocityGuardServer::refusePeople(size_t source, const std_msgs::Header& he
                                        MessageFault fault) {
   const bool lacks_frame = isOfTransform(fault);
   state_.with([&](State& state) {
-    state.guard.noteBadPeople(steadySeconds(), lacks_frame ? GuardCause::kNoTransform
-                                                           : GuardCause::kPeopleRefused);
+    state.guard.noteBadPeople(steadySeconds(),
+                              lacks_frame ? GuardCause::kNoTransform : GuardCause::kPeopleRefused);
     const std::string detail =
         lacks_frame ? fmt::format("from '{}' to '{}'", header.frame_id, state.odom_frame)
                     : std::string(describe(fault));

@@ -82,6 +82,7 @@ double freeDriveTime(const World& world, const NavigationParams& navigation,
   PriorParams prior = navigation.planning.prior;
   const ModelParams& model = navigation.planning.model;
   prior.clearance = model.obstacleClearance();
+  prior.robot_radius = model.vehicle.radius;
   const StaticMap map = world.map();
   const NavigationTables tables(makePrior("fast_marching", map, world.goal, prior), map, model,
                                 prior.resolution);

@@ -32,7 +32,7 @@ class GuardedRobot {
   std::atomic<bool> is_transform_silent{false};
   std::atomic<bool> has_watchdog{true};
   std::atomic<bool> are_stamps_absurd{false};  // the last that a message can have, in 2106
-  std::atomic<double> clock_offset{1000.0};  // [s]
+  std::atomic<double> clock_offset{1000.0};    // [s]
 
   explicit GuardedRobot(const VehicleParams& vehicle) : base_(vehicle, Pose{}) {
     clock_ = node_.advertise<rosgraph_msgs::Clock>("/clock", 1);
@@ -112,7 +112,8 @@ class GuardedRobot {
       rosgraph_msgs::Clock clock;
       clock.clock = stamp_;
       clock_.publish(clock);
-      if (are_stamps_absurd) stamp_ = ros::Time(std::numeric_limits<std::uint32_t>::max(), 999999999);
+      if (are_stamps_absurd)
+        stamp_ = ros::Time(std::numeric_limits<std::uint32_t>::max(), 999999999);
       if (!is_transform_silent) publishTransform();
       if (!is_odometry_silent) publishOdometry();
       if (!are_people_silent && i % 5 == 0) publishPeople();

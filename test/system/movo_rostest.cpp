@@ -111,11 +111,14 @@ std::string subscribersOf(const std::string& topic) {
 
 TEST(Movo, PlannerAndGuardHearBothTopicsOfPeople) {
   for (const char* topic : {"/tracked_persons", "/leg_tracker/people"}) {
-    EXPECT_TRUE(NavigationClient::waitUntil(20.0, [&] {
-      const std::string names = subscribersOf(topic);
-      return names.find("/planner_node") != std::string::npos &&
-             names.find("/velocity_guard") != std::string::npos;
-    })) << topic << ": " << subscribersOf(topic);
+    EXPECT_TRUE(
+        NavigationClient::waitUntil(20.0,
+                                    [&] {
+                                      const std::string names = subscribersOf(topic);
+                                      return names.find("/planner_node") != std::string::npos &&
+                                             names.find("/velocity_guard") != std::string::npos;
+                                    }))
+        << topic << ": " << subscribersOf(topic);
   }
 }
 

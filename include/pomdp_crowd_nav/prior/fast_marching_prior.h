@@ -11,8 +11,8 @@ namespace pomdp_crowd_nav {
 
 // Speed of the front over a map: 1 outside the clearance, `narrow_speed` inside it where the robot
 // has room, `blocked_speed` where it has none, and a tenth of that in cells that an obstacle may
-// touch, so that no wall is too thin to be seen and the way out of an obstacle is a short one. Throws
-// std::invalid_argument naming the first parameter that is out of range.
+// touch, so that no wall is too thin to be seen and the way out of an obstacle is a short one.
+// Throws std::invalid_argument naming the first parameter that is out of range.
 SpeedMap makeSpeedMap(const StaticMap& map, const PriorParams& params);
 SpeedMap makeSpeedMap(const ClearanceGrid& clearances, const PriorParams& params);
 

@@ -48,14 +48,14 @@ struct Drive {
   Goal goal;  // number 0: none
   std::optional<Ending> ending;
   bool paused = false;
-  bool closing = false;  // the node ends: no trip begins any more
-  long last_goal = 0;    // number of the newest that a trip began for
+  bool closing = false;   // the node ends: no trip begins any more
+  long last_goal = 0;     // number of the newest that a trip began for
   bool prepared = false;  // a planner of this trip stands, of its newest goal and map or of others
   long first_goal = 0;    // of the trip; those after it came while the robot was driving
   int approaches = 0;     // times the base had to go back to the goal
   std::shared_ptr<const StaticMap> planned_map;  // of the motion that is followed
-  double planned_from = 0.0;                     // [s], that motion begins; the one before knew less
-  StopCause reflex_or_miss = StopCause::kNone;   // why the base brakes until the next decision
+  double planned_from = 0.0;                    // [s], that motion begins; the one before knew less
+  StopCause reflex_or_miss = StopCause::kNone;  // why the base brakes until the next decision
   MotionExecutor executor;
   Blocker blocker;
   ProgressWatch progress;

@@ -8,7 +8,8 @@
 
 namespace pomdp_crowd_nav {
 
-// Fills a buffer from /tf and /tf_static, in a thread of its own, as tf2_ros::TransformListener does.
+// Fills a buffer from /tf and /tf_static, in a thread of its own, as tf2_ros::TransformListener
+// does.
 //
 // A transform of the far future is passed over: tf2 would prefer it to all that come after it, and
 // of one stamped at the end of time it throws what ends the process.

@@ -44,9 +44,9 @@ class VelocityGuardServer {
   struct State {
     VelocityGuard guard;
     VelocityGuard::Output output;
-    std::string odom_frame;  // empty before the first odometry
-    double last_time = 0.0;  // [s], ROS time, to notice jumps
-    GuardStatus counts;      // only its counts are used
+    std::string odom_frame;                    // empty before the first odometry
+    double last_time = 0.0;                    // [s], ROS time, to notice jumps
+    GuardStatus counts;                        // only its counts are used
     std::string odometry_fault, people_fault;  // of the last message that was refused
 
     explicit State(const VelocityGuard& velocity_guard) : guard(velocity_guard) {}
