@@ -84,6 +84,7 @@ void DecisionLoop::adoptPlanner() {
     drive.planned_map = present_.map;
     drive.progress.takeAnotherWay();
   });
+  callbacks_.adopted(*present_.planner);
 }
 
 void DecisionLoop::giveUp(const std::string& reason) {
