@@ -86,8 +86,7 @@ void drawArrows(const BeliefScene& scene, const People& people, Marker& arrows) 
   for (const PersonBelief* person : people) {
     forEachWay(*person, scene.destinations,
                [&](const Point& way, size_t hypothesis, double probability) {
-                 const Point tip = person->position +
-                                   std::min(1.0, 2.6 * size / way.norm()) * way;
+                 const Point tip = person->position + std::min(1.0, 2.6 * size / way.norm()) * way;
                  addArrow({person->position, tip, 0.45 * probability * size},
                           hypothesisColor(hypothesis, 0.9), arrows);
                });
@@ -98,13 +97,13 @@ void drawArrows(const BeliefScene& scene, const People& people, Marker& arrows) 
 void drawWays(const BeliefScene& scene, const People& people, Marker& strokes) {
   for (const PersonBelief* person : people) {
     if (!isAttended(*person, scene)) continue;
-    forEachWay(*person, scene.destinations,
-               [&](const Point& way, size_t hypothesis, double probability) {
-                 if (hypothesis == IntentionBelief::kElsewhere) return;  // it has no end
-                 addStroke({person->position, person->position + way,
-                            0.5 * probability * scene.symbol_size},
-                           hypothesisColor(hypothesis, 0.25), strokes);
-               });
+    forEachWay(
+        *person, scene.destinations, [&](const Point& way, size_t hypothesis, double probability) {
+          if (hypothesis == IntentionBelief::kElsewhere) return;  // it has no end
+          addStroke(
+              {person->position, person->position + way, 0.5 * probability * scene.symbol_size},
+              hypothesisColor(hypothesis, 0.25), strokes);
+        });
   }
 }
 

@@ -150,9 +150,9 @@ void addStroke(const Stroke& stroke, const std_msgs::ColorRGBA& color,
   const double length = along.norm();
   if (!along.allFinite() || !(length > 0.0) || !hasRoom(triangles, 6)) return;
   const Point side = 0.5 * stroke.width / length * Point(-along.y(), along.x());
-  for (const Point& corner : {Point(stroke.from + side), Point(stroke.from - side),
-                              Point(stroke.to - side), Point(stroke.to - side),
-                              Point(stroke.to + side), Point(stroke.from + side)}) {
+  for (const Point& corner :
+       {Point(stroke.from + side), Point(stroke.from - side), Point(stroke.to - side),
+        Point(stroke.to - side), Point(stroke.to + side), Point(stroke.from + side)}) {
     add(corner, color, triangles);
   }
 }

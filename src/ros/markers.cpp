@@ -12,7 +12,6 @@ namespace {
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
-
 // From red at 0 over yellow to green at 1.
 std_msgs::ColorRGBA valueColor(double share) {
   const double s = std::clamp(share, 0.0, 1.0);
@@ -115,7 +114,8 @@ MarkerArray treeMarkers(const TreeScene& scene, double symbol_size,
   for (size_t i = scene.view.edges.size(); i-- > 0;) {
     const TreeEdge& edge = scene.view.edges[i];
     const double fade = (edge.depth - 1) / static_cast<double>(deepest);
-    addLine(edge.from, edge.to, paled(valueColor(range.share(edge.value)), 1.0 - 0.75 * fade), tree);
+    addLine(edge.from, edge.to, paled(valueColor(range.share(edge.value)), 1.0 - 0.75 * fade),
+            tree);
   }
   Marker& rollouts = builder.beginList("rollouts", Marker::LINE_LIST, 0.15 * symbol_size, 0.07);
   for (const auto& path : scene.view.rollouts) {

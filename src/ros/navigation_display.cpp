@@ -4,6 +4,7 @@
 #include <pthread.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "pomdp_crowd_nav/ros/marker_shapes.h"
@@ -14,10 +15,11 @@
 namespace pomdp_crowd_nav {
 namespace {
 
-constexpr double kPeriod = 0.125;     // [s], within which a new tree or planner is drawn
+constexpr double kPeriod = 0.125;  // [s], within which a new tree or planner is drawn
 constexpr int kNiceness = 10;
-constexpr int kTicksPerPicture = 2;   // of people and robot: 4 Hz
-constexpr int kMaxTreeEdges = 4000;   // 8000 points
+constexpr int kTicksPerPicture = 2;        // of people and robot: 4 Hz
+constexpr double kLettersPerField = 45.0;  // letters as high as this, side by side over its width
+constexpr int kMaxTreeEdges = 4000;        // 8000 points
 constexpr Trail::Params kDriven{2000, 0.25, 3.0};  // 500 m
 
 std::vector<Point> positions(const std::vector<VehicleState>& plan) {
@@ -142,7 +144,8 @@ void NavigationDisplay::followRobot() {
   map_ = map;
   const Bounds& field = map->bounds();
   symbol_size_ = symbolSize(field);
-  headline_ = {0.5 * (field.min.x() + field.max.x()), field.max.y() + 4.5 * symbol_size_};
+  letter_size_ = std::min(2.2 * symbol_size_, (field.max.x() - field.min.x()) / kLettersPerField);
+  headline_ = {0.5 * (field.min.x() + field.max.x()), field.max.y() + 2.0 * letter_size_};
 }
 
 void NavigationDisplay::renewLayers() {
@@ -154,8 +157,7 @@ void NavigationDisplay::renewLayers() {
 }
 
 void NavigationDisplay::drawTree() {
-  const auto tree =
-      news_.with([](News& news) { return std::exchange(news.tree, std::nullopt); });
+  const auto tree = news_.with([](News& news) { return std::exchange(news.tree, std::nullopt); });
   if (!tree || search_tree_.getNumSubscribers() == 0) return;
   search_tree_.publish(treeMarkers(*tree, symbol_size_, header()));
 }
@@ -175,10 +177,9 @@ void NavigationDisplay::drawBeliefs() {
   if (!are_pictures_wanted) return;
   crowd_trails_.see(crowd);
   const auto attended = news_.with([](News& news) { return news.attended; });
-  belief_markers_.publish(
-      beliefMarkers({crowd, destinations_, attended, crowd_trails_,
-                     robot_.value_or(Point(0.0, 0.0)), blocker, symbol_size_},
-                    header()));
+  belief_markers_.publish(beliefMarkers({crowd, destinations_, attended, crowd_trails_,
+                                         robot_.value_or(Point(0.0, 0.0)), blocker, symbol_size_},
+                                        header()));
 }
 
 void NavigationDisplay::drawRobot() {
@@ -190,16 +191,15 @@ void NavigationDisplay::drawRobot() {
     emergency = drive.params->emergency;
   });
   const double distance = emergency.enabled ? emergency.decision_distance : 0.0;
-  robot_markers_.publish(robotMarkers(
-      {driven_, status, frames_.base, *robot_, headline_, radius_, distance, symbol_size_},
-      header()));
+  robot_markers_.publish(robotMarkers({driven_, status, frames_.base, *robot_, headline_, radius_,
+                                       distance, symbol_size_, letter_size_},
+                                      header()));
 }
 
 std::optional<nav_msgs::OccupancyGrid> NavigationDisplay::makeArrivalTime() {
   const Guidance guidance = news_.with([](News& news) { return news.guidance; });
   if (!guidance.field) return std::nullopt;
-  const PlannerParams planning =
-      drive_.with([](Drive& drive) { return drive.params->planning; });
+  const PlannerParams planning = drive_.with([](Drive& drive) { return drive.params->planning; });
   const double margin = guidance.field->isStraightLine()
                             ? 0.0
                             : planning.model.obstacleClearance() + planning.prior.extra_clearance;

@@ -53,7 +53,8 @@ std::int8_t shadeOf(const NavigationCell& cell, double margin, float longest) {
   if (cell.distance_to_goal >= kUnreachable) return kUnknown;
   if (cell.clearance < margin) return kMargin;
   const float share = longest > 0.0F ? cell.distance_to_goal / longest : 0.0F;
-  return static_cast<std::int8_t>(std::clamp(std::lround(1.0F + (kFarthest - 1.0F) * share), 1L, static_cast<long>(kFarthest)));
+  return static_cast<std::int8_t>(
+      std::clamp(std::lround(1.0F + (kFarthest - 1.0F) * share), 1L, static_cast<long>(kFarthest)));
 }
 
 // Whether the shortest way from one end leads over the edge.

@@ -55,8 +55,8 @@ MarkerArray robotMarkers(const RobotScene& scene, const std_msgs::Header& header
     addCircle(Point(0.0, 0.0), scene.emergency_distance, color(0.95, 0.45, 0.0), distance);
   }
   const Point beside = scene.robot + Point(0.0, scene.emergency_distance + 2.5 * size);
-  builder.addText("cause", whyAtRest(scene.status), 1.7 * size, beside);
-  builder.addText("status", statusText(scene.status), 2.2 * size, scene.headline);
+  builder.addText("cause", whyAtRest(scene.status), 0.8 * scene.letter_size, beside);
+  builder.addText("status", statusText(scene.status), scene.letter_size, scene.headline);
   return builder.take();
 }
 

@@ -52,15 +52,14 @@ class DisplayTest : public testing::Test {
 
   void TearDown() override {
     client_.cancelAll();
-    EXPECT_TRUE(client_.waitUntil(
-        10.0, [&] { return client_.status().state == PlannerStatus::IDLE; }));
+    EXPECT_TRUE(
+        client_.waitUntil(10.0, [&] { return client_.status().state == PlannerStatus::IDLE; }));
   }
 
   void decideFor(double x, double y) {
     client_.send(x, y);
-    ASSERT_TRUE(client_.waitUntil(30.0, [&] {
-      return client_.feedbackCount() > 0;
-    })) << client_.status().stop_cause;
+    ASSERT_TRUE(client_.waitUntil(30.0, [&] { return client_.feedbackCount() > 0; }))
+        << client_.status().stop_cause;
   }
 
   bool napFor(double duration) {
@@ -151,8 +150,8 @@ TEST_F(DisplayTest, TheRoadmapIsShownWhereThereIsOne) {
   EXPECT_EQ(roadmap.newest().markers.size(), 1u) << "Fast Marching has none: DELETEALL alone";
   client_.cancelAll();
   ASSERT_TRUE(client_.waitForEnd(10.0));
-  ASSERT_TRUE(client_.waitUntil(
-      10.0, [&] { return client_.status().state == PlannerStatus::IDLE; }));
+  ASSERT_TRUE(
+      client_.waitUntil(10.0, [&] { return client_.status().state == PlannerStatus::IDLE; }));
   setPlanner("2d_prm");
   decideFor(40.0, 10.0);
   EXPECT_TRUE(client_.waitUntil(10.0, [&] { return roadmap.newest().markers.size() > 3; }));
@@ -160,8 +159,8 @@ TEST_F(DisplayTest, TheRoadmapIsShownWhereThereIsOne) {
   EXPECT_FALSE(listOf(roadmap.newest(), "shortest_ways").points.empty());
   client_.cancelAll();
   ASSERT_TRUE(client_.waitForEnd(10.0));
-  ASSERT_TRUE(client_.waitUntil(
-      10.0, [&] { return client_.status().state == PlannerStatus::IDLE; }));
+  ASSERT_TRUE(
+      client_.waitUntil(10.0, [&] { return client_.status().state == PlannerStatus::IDLE; }));
   setPlanner("2d_fmm");
 }
 

@@ -66,8 +66,9 @@ class NavigationDisplay {
   Trail driven_;
   CrowdTrails crowd_trails_;
   std::shared_ptr<const StaticMap> map_;
-  double symbol_size_ = 0.5;   // [m], see markers.h
-  Point headline_{0.0, 0.0};   // [m], see RobotScene
+  double symbol_size_ = 0.5;    // [m], see markers.h
+  Point headline_{0.0, 0.0};    // [m], see RobotScene
+  double letter_size_ = 1.0;    // [m]
   std::optional<Point> robot_;  // [m]
   long ticks_ = 0;
 

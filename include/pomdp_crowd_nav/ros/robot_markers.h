@@ -20,6 +20,7 @@ struct RobotScene {
   double radius = 1.0;              // [m]
   double emergency_distance = 0.0;  // [m], from the robot's centre; 0: none
   double symbol_size = 0.5;         // [m], see markers.h
+  double letter_size = 1.0;         // [m]
 };
 
 // The robot's disc, the distance at which it is stopped, where it has driven, older places paler,
