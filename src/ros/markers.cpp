@@ -114,7 +114,7 @@ MarkerArray treeMarkers(const TreeScene& scene, double symbol_size,
   for (size_t i = scene.view.edges.size(); i-- > 0;) {
     const TreeEdge& edge = scene.view.edges[i];
     const double fade = (edge.depth - 1) / static_cast<double>(deepest);
-    addLine(edge.from, edge.to, paled(valueColor(range.share(edge.value)), 1.0 - 0.75 * fade),
+    addLine(edge.from, edge.to, paled(valueColor(range.share(edge.value)), 1.0 - 0.55 * fade),
             tree);
   }
   Marker& rollouts = builder.beginList("rollouts", Marker::LINE_LIST, 0.15 * symbol_size, 0.07);
