@@ -193,6 +193,7 @@ void readNavigationParams(ParamReader& reader, NavigationParams& params) {
   reader.read("controller_frequency", params.controller_frequency);
   reader.read("yaw_goal_tolerance", params.yaw_goal_tolerance);
   readGuard(reader, params);
+  reader.read("display/tree_depth", params.tree_depth);
 }
 
 void validate(const NavigationParams& params) {

@@ -11,9 +11,10 @@ namespace pomdp_crowd_nav {
 namespace {
 
 // Beginnings of keys of which the planner, or what it knows of map and goal, knows nothing.
-const std::vector<std::string> kNotOfPlanner = {"search_time", "emergency/"};
+const std::vector<std::string> kNotOfPlanner = {"search_time", "emergency/", "display/"};
 const std::vector<std::string> kNotOfTables = {"search_time",
                                                "emergency/",
+                                               "display/",
                                                "reward/",
                                                "search/",
                                                "attended_pedestrians",

@@ -37,6 +37,7 @@ constexpr Range kRanges[] = {
     {"emergency/decision_distance", 0.0, 10.0},
     {"emergency/reflex_distance", 0.0, 10.0},
     {"emergency/reaction_time", 0.0, 2.0},
+    {"display/tree_depth", 1, 200},
 };
 
 double toNumber(const ParamValue& value) {

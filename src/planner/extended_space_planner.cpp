@@ -92,8 +92,8 @@ std::vector<VehicleState> ExtendedSpacePlanner::planFrom(const RobotState& state
   return plan;
 }
 
-TreeView ExtendedSpacePlanner::viewTree(int max_edges) const {
-  TreeView view = viewOf(search_.tree(), search_.params(), max_edges,
+TreeView ExtendedSpacePlanner::viewTree(const TreeLimits& limits) const {
+  TreeView view = viewOf(search_.tree(), search_.params(), limits,
                          [](const RobotState& state) { return state.vehicle().position; });
   for (const TreeEdge& edge : view.edges) {
     if (edge.depth == 1) view.rollouts.push_back(globalPath(edge.to));

@@ -85,7 +85,8 @@ LimitedSpacePlanner::LimitedSpacePlanner(const Task& task, const PlannerParams& 
       map_(task.map),
       goal_(task.goal),
       destinations_(task.destinations),
-      field_(wayToGoal(task, params)),
+      way_to_goal_(std::make_shared<const NavigationField>(wayToGoal(task, params))),
+      field_(*way_to_goal_),
       astar_(task.map, field_, pathParams(params)),
       pedestrian_model_({model_params_.pedestrian_noise * model_params_.step}),
       model_(model_params_, futures_),
@@ -237,9 +238,9 @@ std::vector<VehicleState> LimitedSpacePlanner::planFrom(const VehicleState& vehi
   return plan;
 }
 
-TreeView LimitedSpacePlanner::viewTree(int max_edges) const {
+TreeView LimitedSpacePlanner::viewTree(const TreeLimits& limits) const {
   if (!has_tree_) return {};
-  TreeView view = viewOf(search_.tree(), search_.params(), max_edges,
+  TreeView view = viewOf(search_.tree(), search_.params(), limits,
                          [this](const PathState& state) { return model_.positionAt(state.way); });
   if (view.edges.empty()) return view;
   view.rollouts.push_back(pathToGoal());

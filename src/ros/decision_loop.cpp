@@ -91,6 +91,7 @@ void DecisionLoop::adoptPlanner() {
     drive.prepared = true;
     drive.progress.takeAnotherWay();
   });
+  callbacks_.adopted(*present_.planner);
 }
 
 void DecisionLoop::giveUp(const std::string& reason) {

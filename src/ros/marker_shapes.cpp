@@ -11,6 +11,7 @@ namespace pomdp_crowd_nav {
 namespace {
 
 constexpr int kCircleSides = 24;
+constexpr double kTextHeight = 3.0;  // [m], above everything that is drawn
 
 bool hasRoom(const visualization_msgs::Marker& list, size_t points) {
   return list.points.size() + points < kMaxPoints;
@@ -39,26 +40,51 @@ MarkerBuilder::MarkerBuilder(const std_msgs::Header& header) : header_(header) {
 visualization_msgs::MarkerArray MarkerBuilder::take() {
   using visualization_msgs::Marker;
   for (Marker& marker : array_.markers) {
-    if (marker.action == Marker::ADD && marker.points.empty()) marker.action = Marker::DELETE;
+    const bool is_empty = marker.points.empty() && marker.text.empty();
+    if (marker.action == Marker::ADD && is_empty) marker.action = Marker::DELETE;
   }
   return std::move(array_);
 }
 
+visualization_msgs::Marker& MarkerBuilder::add(const std::string& name, int type) {
+  visualization_msgs::Marker marker;
+  marker.header = header_;
+  marker.ns = name;
+  marker.type = type;
+  marker.pose.orientation.w = 1.0;
+  marker.color = color(1.0, 1.0, 1.0);
+  array_.markers.push_back(marker);
+  return array_.markers.back();
+}
+
 visualization_msgs::Marker& MarkerBuilder::beginList(const std::string& name, int type,
                                                      double scale, double z) {
-  visualization_msgs::Marker list;
-  list.header = header_;
-  list.ns = name;
-  list.type = type;
-  list.pose.orientation.w = 1.0;
+  visualization_msgs::Marker& list = add(name, type);
+  const bool is_surface = type == visualization_msgs::Marker::TRIANGLE_LIST;
   list.pose.position.z = z;
-  list.scale.x = list.scale.y = list.scale.z = scale;
-  if (type == visualization_msgs::Marker::TRIANGLE_LIST) {
-    list.scale.x = list.scale.y = list.scale.z = 1.0;
-  }
-  list.color = color(1.0, 1.0, 1.0);
-  array_.markers.push_back(list);
-  return array_.markers.back();
+  list.scale.x = list.scale.y = list.scale.z = is_surface ? 1.0 : scale;
+  return list;
+}
+
+visualization_msgs::Marker& MarkerBuilder::addText(const std::string& name, const std::string& text,
+                                                   double height, const Point& center) {
+  visualization_msgs::Marker& words = add(name, visualization_msgs::Marker::TEXT_VIEW_FACING);
+  words.text = text;
+  words.scale.x = words.scale.y = words.scale.z = height;
+  words.pose.position = toMessage(center, kTextHeight);
+  words.color = color(0.10, 0.12, 0.15);
+  return words;
+}
+
+std_msgs::ColorRGBA paled(const std_msgs::ColorRGBA& ink, double share) {
+  const auto mix = [&](double tone) { return share * tone + (1.0 - share) * 0.97; };
+  return color(mix(ink.r), mix(ink.g), mix(ink.b));
+}
+
+void fixTo(const std::string& frame, visualization_msgs::Marker& list) {
+  list.header.frame_id = frame;
+  list.header.stamp = ros::Time();
+  list.frame_locked = true;
 }
 
 std_msgs::ColorRGBA color(double red, double green, double blue, double alpha) {
@@ -116,6 +142,34 @@ void addDashes(const std::vector<Point>& path, double dash, const std_msgs::Colo
     }
     travelled += length;
   }
+}
+
+void addStroke(const Stroke& stroke, const std_msgs::ColorRGBA& color,
+               visualization_msgs::Marker& triangles) {
+  const Point along = stroke.to - stroke.from;
+  const double length = along.norm();
+  if (!along.allFinite() || !(length > 0.0) || !hasRoom(triangles, 6)) return;
+  const Point side = 0.5 * stroke.width / length * Point(-along.y(), along.x());
+  for (const Point& corner :
+       {Point(stroke.from + side), Point(stroke.from - side), Point(stroke.to - side),
+        Point(stroke.to - side), Point(stroke.to + side), Point(stroke.from + side)}) {
+    add(corner, color, triangles);
+  }
+}
+
+void addArrow(const Stroke& shaft, const std_msgs::ColorRGBA& color,
+              visualization_msgs::Marker& triangles) {
+  constexpr double kHeadWidth = 2.6, kHeadLength = 2.4;  // in widths of the shaft
+  const Point along = shaft.to - shaft.from;
+  const double length = along.norm();
+  if (!along.allFinite() || !(length > 0.0) || !hasRoom(triangles, 9)) return;
+  const double head = std::min(kHeadLength * shaft.width, 0.6 * length);
+  const Point neck = shaft.to - head / length * along;
+  const Point side = 0.5 * kHeadWidth * shaft.width / length * Point(-along.y(), along.x());
+  addStroke({shaft.from, neck, shaft.width}, color, triangles);
+  add(neck + side, color, triangles);
+  add(neck - side, color, triangles);
+  add(shaft.to, color, triangles);
 }
 
 }  // namespace pomdp_crowd_nav

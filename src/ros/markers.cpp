@@ -12,12 +12,10 @@ namespace {
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
-constexpr int kFadeDepth = 12;  // edges this deep and deeper are the faintest
-
 // From red at 0 over yellow to green at 1.
-std_msgs::ColorRGBA valueColor(double share, double alpha) {
+std_msgs::ColorRGBA valueColor(double share) {
   const double s = std::clamp(share, 0.0, 1.0);
-  return color(std::min(1.0, 2.0 - 2.0 * s) * 0.9, std::min(1.0, 2.0 * s) * 0.75, 0.05, alpha);
+  return color(std::min(1.0, 2.0 - 2.0 * s) * 0.9, std::min(1.0, 2.0 * s) * 0.75, 0.05);
 }
 
 void addPolygon(const Polygon& polygon, const std_msgs::ColorRGBA& color, Marker& lines) {
@@ -34,14 +32,6 @@ Polygon outline(const Bounds& bounds) {
       true};
 }
 
-// How far above that of a destination in a uniform belief the largest probability is, from 0 to 1.
-double certainty(const IntentionBelief& intention) {
-  const double count = static_cast<double>(intention.probabilities().size());
-  if (count < 2.0) return 1.0;
-  const double best = intention.probability(intention.mostLikely());
-  return std::clamp((best - 1.0 / count) / (1.0 - 1.0 / count), 0.0, 1.0);
-}
-
 struct ValueRange {
   float low = 0.0F;
   float high = 0.0F;
@@ -49,6 +39,12 @@ struct ValueRange {
     return high > low ? static_cast<double>((value - low) / (high - low)) : 1.0;
   }
 };
+
+int deepestOf(const TreeView& view) {
+  int depth = 1;
+  for (const TreeEdge& edge : view.edges) depth = std::max(depth, edge.depth);
+  return depth;
+}
 
 // The middle nine tenths of all values, so that a few crashes do not make the rest one green.
 ValueRange valueRange(const TreeView& view) {
@@ -98,67 +94,38 @@ MarkerArray worldMarkers(const World& world, double tolerance, const std_msgs::H
   return builder.take();
 }
 
-MarkerArray crowdMarkers(const CrowdScene& scene, const std_msgs::Header& header) {
+MarkerArray crowdMarkers(const std::vector<Walker>& walkers, double symbol_size,
+                         const std_msgs::Header& header) {
   MarkerBuilder builder(header);
-  const double size = scene.symbol_size;
-  Marker& people = builder.beginList("people", Marker::SPHERE_LIST, 0.8 * size, 0.3);
-  for (const Walker& walker : scene.walkers) {
-    addPoint(walker.position, color(0.62, 0.64, 0.67), people);
-  }
-  Marker& trail = builder.beginList("driven", Marker::LINE_LIST, 0.35 * size, 0.03);
-  for (size_t i = 1; i < scene.trail.size(); ++i) {
-    addLine(scene.trail[i - 1], scene.trail[i], color(0.15, 0.35, 0.95), trail);
-  }
-  Marker& body = builder.beginList("robot", Marker::LINE_LIST, 0.25 * size, 0.05);
-  const Point nose = scene.robot.position + scene.robot_radius * unitVector(scene.robot.heading);
-  addCircle(scene.robot.position, scene.robot_radius, color(0.1, 0.2, 0.7), body);
-  addLine(scene.robot.position, nose, color(0.1, 0.2, 0.7), body);
-  return builder.take();
-}
-
-MarkerArray beliefMarkers(const BeliefScene& scene, const std_msgs::Header& header) {
-  MarkerBuilder builder(header);
-  const double size = scene.symbol_size;
-  const auto colorOf = [](const IntentionBelief& intention) {
-    const double alpha = 0.2 + 0.8 * certainty(intention);
-    const size_t likely = intention.mostLikely();
-    if (likely == IntentionBelief::kStanding) return color(0.0, 0.0, 0.0, alpha);
-    if (likely == IntentionBelief::kElsewhere) return color(0.45, 0.45, 0.45, alpha);
-    return destinationColor(likely, alpha);
-  };
-  Marker& discs = builder.beginList("likeliest_destination", Marker::SPHERE_LIST, size, 0.4);
-  for (const PersonBelief& person : scene.crowd.people) {
-    addPoint(person.position, colorOf(person.intention), discs);
-  }
-  Marker& ways = builder.beginList("likeliest_way", Marker::LINE_LIST, 0.2 * size, 0.06);
-  for (const PersonBelief& person : scene.crowd.people) {
-    const size_t likely = person.intention.mostLikely();
-    const Point way = walkerOf(person, likely, scene.destinations).destination - person.position;
-    const double length = std::min(2.2 * size, way.norm());
-    if (length <= 0.0) continue;
-    addLine(person.position, person.position + length * way.normalized(), colorOf(person.intention),
-            ways);
-  }
-  Marker& rings = builder.beginList("attended", Marker::LINE_LIST, 0.2 * size, 0.07);
-  for (const PersonBelief& person : scene.crowd.people) {
-    const auto& ids = scene.attended;
-    if (std::find(ids.begin(), ids.end(), person.id) == ids.end()) continue;
-    addCircle(person.position, 0.9 * size, color(0.85, 0.10, 0.10), rings);
+  Marker& people = builder.beginList("really_there", Marker::SPHERE_LIST, 0.8 * symbol_size, 0.3);
+  for (const Walker& walker : walkers) {
+    addPoint(walker.position, color(0.66, 0.68, 0.71), people);
   }
   return builder.take();
 }
 
-MarkerArray treeMarkers(const TreeView& view, double symbol_size, const std_msgs::Header& header) {
+MarkerArray treeMarkers(const TreeScene& scene, double symbol_size,
+                        const std_msgs::Header& header) {
   MarkerBuilder builder(header);
-  const ValueRange range = valueRange(view);
+  const ValueRange range = valueRange(scene.view);
+  const int deepest = deepestOf(scene.view);
   Marker& tree = builder.beginList("tree", Marker::LINE_LIST, 0.12 * symbol_size, 0.08);
-  for (const TreeEdge& edge : view.edges) {
-    const double fade = std::min(edge.depth - 1, kFadeDepth) / static_cast<double>(kFadeDepth);
-    addLine(edge.from, edge.to, valueColor(range.share(edge.value), 1.0 - 0.7 * fade), tree);
+  // The first edges weigh most: they come last, on top.
+  for (size_t i = scene.view.edges.size(); i-- > 0;) {
+    const TreeEdge& edge = scene.view.edges[i];
+    const double fade = (edge.depth - 1) / static_cast<double>(deepest);
+    addLine(edge.from, edge.to, paled(valueColor(range.share(edge.value)), 1.0 - 0.55 * fade),
+            tree);
   }
   Marker& rollouts = builder.beginList("rollouts", Marker::LINE_LIST, 0.15 * symbol_size, 0.07);
-  for (const auto& path : view.rollouts) {
-    addDashes(path, 1.2 * symbol_size, color(0.25, 0.25, 0.30, 0.7), rollouts);
+  for (const auto& path : scene.view.rollouts) {
+    addDashes(path, 1.2 * symbol_size, color(0.42, 0.42, 0.46), rollouts);
+  }
+  Marker& chosen = builder.beginList("chosen", Marker::TRIANGLE_LIST, 1.0, 0.10);
+  const auto magenta = color(0.86, 0.12, 0.47);
+  for (size_t i = 1; i < scene.chosen.size(); ++i) {
+    addStroke({scene.chosen[i - 1], scene.chosen[i], 0.4 * symbol_size}, magenta, chosen);
+    addDisc(scene.chosen[i], 0.3 * symbol_size, magenta, chosen);
   }
   return builder.take();
 }

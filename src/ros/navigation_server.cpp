@@ -7,14 +7,13 @@
 #include <thread>
 
 #include "pomdp_crowd_nav/evaluation/reachability.h"
-#include "pomdp_crowd_nav/ros/markers.h"
 #include "pomdp_crowd_nav/ros/steady_time.h"
 
 namespace pomdp_crowd_nav {
 namespace {
 
-constexpr double kReportPeriod = 0.25;     // [s], of beliefs; status comes with every second one
-constexpr int kReportsPerDiagnostics = 4;  // 1 Hz
+constexpr double kReportPeriod = 0.5;      // [s], of the status
+constexpr int kReportsPerDiagnostics = 2;  // 1 Hz
 constexpr int kReportsBeforeWarning = 5;   // of the status: 2.5 s
 constexpr int kReportsPerWarning = 20;     // 10 s
 constexpr const char* kClosing = "the planner is being shut down";
@@ -36,7 +35,7 @@ NavigationServer::NavigationServer(ros::NodeHandle node, ros::NodeHandle private
       map_work_(params.navigation.planning.prior.resolution),
       command_loop_(params),
       inputs_(node, params, drive_),
-      display_(private_node, params.frames.global, params.destinations),
+      display_(private_node, params, drive_),
       status_(node, private_node, params.frames.base),
       commands_(node.advertise<geometry_msgs::Twist>("cmd_vel", 1)),
       goals_(node,
@@ -51,7 +50,8 @@ NavigationServer::NavigationServer(ros::NodeHandle node, ros::NodeHandle private
       decisions_(
           params, drive_, map_work_,
           {[this](const auto& report, const Planner& planner) { reportDecision(report, planner); },
-           [this](const Goal& goal, const std::string& why) { failTrip(goal, why); }}),
+           [this](const Goal& goal, const std::string& why) { failTrip(goal, why); },
+           [this](const Planner& planner) { display_.showPlanner(planner); }}),
       reconfiguration_(private_node, params.navigation,
                        [this](const NavigationParams& changed) { return adoptParams(changed); }),
       command_spinner_(1, &command_queue_) {
@@ -161,11 +161,8 @@ void NavigationServer::onCommandTimer() {
 }
 
 void NavigationServer::onReportTimer() {
-  const auto [crowd, map] = drive_.with(
-      [](Drive& drive) { return std::make_pair(drive.inputs.crowd, drive.inputs.map); });
-  if (map) display_.setSymbolSize(symbolSize(map->bounds()));
-  display_.showBeliefs(crowd);
-  if (++reports_ % 2 == 0) warnOfMissingInput(publishStatus());
+  warnOfMissingInput(publishStatus());
+  ++reports_;
   if (reports_ % kReportsPerDiagnostics != 0) return;
   status_.publishDiagnostics(drive_.with([this](Drive& drive) {
     return inputHealth(drive.inputs, command_loop_.limits(), steadySeconds());

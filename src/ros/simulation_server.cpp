@@ -154,10 +154,9 @@ void SimulationServer::publishCrowd() {
   seen.stamp -= ros::Duration(simulator_->time() - tracks.stamp);
   publishers_.persons.publish(toMessage(tracks, seen));
   if (publishers_.crowd_markers.getNumSubscribers() == 0) return;
-  const CrowdScene scene{simulator_->crowd().walkers(), observer_->trail(),
-                         simulator_->base().pose(), params_.simulator.vehicle.radius,
-                         symbolSize(simulator_->world().bounds)};
-  publishers_.crowd_markers.publish(crowdMarkers(scene, header(params_.frames.global)));
+  publishers_.crowd_markers.publish(crowdMarkers(simulator_->crowd().walkers(),
+                                                 symbolSize(simulator_->world().bounds),
+                                                 header(params_.frames.global)));
 }
 
 void SimulationServer::publishWorld() {

@@ -2,11 +2,6 @@
 #include "pomdp_crowd_nav/ros/trip_observer.h"
 
 namespace pomdp_crowd_nav {
-namespace {
-
-constexpr size_t kLongestTrail = 5000;  // points, older ones are forgotten
-
-}  // namespace
 
 TripObserver::TripObserver(const Params& params, const Point& goal)
     : params_(params), goal_(goal), recorder_(params.metrics) {}
@@ -16,13 +11,9 @@ void TripObserver::begin(const Point& goal, double time) {
   begin_time_ = time;
   has_reached_goal_ = is_over_ = false;
   recorder_.reset();
-  trail_.clear();
 }
 
-void TripObserver::jump() {
-  recorder_.jump();
-  trail_.clear();
-}
+void TripObserver::jump() { recorder_.jump(); }
 
 void TripObserver::look(const Simulator& simulator) {
   if (!begin_time_ || is_over_) return;
@@ -36,18 +27,11 @@ void TripObserver::tick(const Simulator& simulator) {
   const double speed = simulator.base().velocity().norm();
   if (!begin_time_ && speed < params_.metrics.moving_speed) return;
   if (!begin_time_) begin(goal_, simulator.time() - Crowd::kTick);
-  extendTrail(robot);
   if (is_over_) return;
   recorder_.tick(simulator.time() - *begin_time_, robot, speed, simulator.crowd().walkers());
   if ((robot - goal_).norm() <= params_.goal_tolerance) has_reached_goal_ = true;
   if (has_reached_goal_) recorder_.arrive();
   is_over_ = has_reached_goal_ && speed < params_.metrics.moving_speed;
-}
-
-void TripObserver::extendTrail(const Point& robot) {
-  if (!trail_.empty() && (robot - trail_.back()).norm() < params_.trail_spacing) return;
-  if (trail_.size() >= kLongestTrail) trail_.erase(trail_.begin(), trail_.begin() + 1000);
-  trail_.push_back(robot);
 }
 
 }  // namespace pomdp_crowd_nav

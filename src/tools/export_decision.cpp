@@ -132,7 +132,7 @@ Json treeOf(const TreeView& view) {
 
 Json decisionOf(const EpisodeMoment& moment, const EpisodeParams& params, int max_edges) {
   const ModelParams& model = params.navigation.planning.model;
-  const TreeView view = moment.planner.viewTree(max_edges);
+  const TreeView view = moment.planner.viewTree({max_edges});
   const Pose& pose = moment.simulator.base().pose();
   Json plan = Json::array();
   for (const VehicleState& state : moment.decision.plan) plan.push_back(pointOf(state.position));

@@ -102,7 +102,7 @@ TEST_F(LimitedSpace, WithoutAnyPathTheRobotRests) {
   EXPECT_EQ(decision.motion.end().speed, 0.0);
   EXPECT_EQ(decision.motion.end_heading, robot.heading);
   EXPECT_EQ(decision.path, std::vector<Point>{robot.position});
-  EXPECT_TRUE(planner->viewTree(100).edges.empty());
+  EXPECT_TRUE(planner->viewTree({100}).edges.empty());
 }
 
 // Somebody stands on the goal: no path keeps clear of them, and the old one is driven on.
@@ -112,7 +112,7 @@ TEST_F(LimitedSpace, DrivesOnAlongTheOldPathWhereThereIsNoNewOne) {
   VehicleState robot{{3.0, 14.0}, 0.0, 0.0};
   const Decision first = planner->decide({robot, {}}, SearchLimit::trials(20));
   ASSERT_TRUE(first.has_fresh_path);
-  const std::vector<Point> way = planner->viewTree(10).rollouts.at(0);
+  const std::vector<Point> way = planner->viewTree({10}).rollouts.at(0);
   robot = first.motion.end();
   for (int step = 0; step < 5; ++step) {
     const CrowdBelief somebody{1.0, {{1, {36.0, 20.0}, {0.0, 0.0}, 1.0, IntentionBelief(4)}}};

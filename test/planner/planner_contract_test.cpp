@@ -3,6 +3,7 @@
 // instant and ramped.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <stdexcept>
@@ -247,11 +248,11 @@ TEST_P(PlannerContract, ADeadlineInThePastIsNoExcuse) {
 
 TEST_P(PlannerContract, TheViewIsOneTreeOfAtMostSoManyEdges) {
   const auto planner = make();
-  EXPECT_TRUE(planner->viewTree(100).edges.empty()) << "before any decision";
+  EXPECT_TRUE(planner->viewTree({100}).edges.empty()) << "before any decision";
   const VehicleState robot{{10.0, 14.0}, 0.2, 0.5};
   planner->decide({robot, crowdAround(robot.position)}, SearchLimit::trials(60));
   for (const int limit : {0, 1, 7, 40, 100000}) {
-    const TreeView view = planner->viewTree(limit);
+    const TreeView view = planner->viewTree({limit});
     ASSERT_LE(view.edges.size(), static_cast<size_t>(limit));
     std::set<std::pair<double, double>> reached;
     reached.insert(
@@ -269,7 +270,35 @@ TEST_P(PlannerContract, TheViewIsOneTreeOfAtMostSoManyEdges) {
     }
     for (const auto& rollout : view.rollouts) EXPECT_GE(rollout.size(), 2U);
   }
-  EXPECT_TRUE(planner->viewTree(-5).edges.empty());
+  EXPECT_TRUE(planner->viewTree({-5}).edges.empty());
+}
+
+TEST_P(PlannerContract, TheViewEndsAtTheDepthThatIsAskedFor) {
+  const auto planner = make();
+  const VehicleState robot{{10.0, 14.0}, 0.2, 0.5};
+  planner->decide({robot, crowdAround(robot.position)}, SearchLimit::trials(60));
+  const auto depthOf = [](const TreeView& view) {
+    int depth = 0;
+    for (const TreeEdge& edge : view.edges) depth = std::max(depth, edge.depth);
+    return depth;
+  };
+  const int deepest = depthOf(planner->viewTree({100000}));
+  ASSERT_GT(deepest, 2);
+  EXPECT_EQ(depthOf(planner->viewTree({100000, 2})), 2);
+  EXPECT_EQ(depthOf(planner->viewTree({100000, 100})), deepest);
+}
+
+TEST_P(PlannerContract, TheGuidanceIsThatOfThePlannerAndOutlivesIt) {
+  auto planner = make();
+  const Point place(3.0, 14.0);
+  const NavigationCell cell = planner->guidanceAt(place);
+  const Guidance guidance = planner->guidance();
+  planner.reset();
+  ASSERT_TRUE(guidance.field);
+  EXPECT_EQ(guidance.field->at(3.0F, 14.0F).distance_to_goal, cell.distance_to_goal);
+  if (guidance.prior) {
+    EXPECT_EQ(guidance.prior->goal(), guidance.field->goal());
+  }
 }
 
 TEST_P(PlannerContract, TheGlobalPathLeadsToTheGoal) {

@@ -31,6 +31,7 @@ struct NavigationParams {
   double odom_timeout = 0.5;           // [s], an older input stops the robot
   double people_timeout = 1.0;         // [s]
   double transform_tolerance = 0.2;    // [s]
+  int tree_depth = 6;                  // of the search tree in pictures, in steps
 };
 
 // Reads the keys of a profile over the present values, and checks that they are words it knows.

@@ -19,11 +19,12 @@ class ExtendedSpacePlanner : public Planner {
                        const PlannerParams& params);
 
   Decision decide(const Situation& situation, const SearchLimit& limit) override;
-  TreeView viewTree(int max_edges) const override;
+  TreeView viewTree(const TreeLimits& limits) const override;
   std::vector<Point> globalPath(const Point& from) const override;
   NavigationCell guidanceAt(const Point& place) const override {
     return field_.at(static_cast<float>(place.x()), static_cast<float>(place.y()));
   }
+  Guidance guidance() const override { return {{tables_, &field_}, tables_->prior}; }
   bool pathAvoidsObstacles() const override { return !field_.isStraightLine(); }
 
  private:

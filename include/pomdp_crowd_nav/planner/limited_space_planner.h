@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "pomdp_crowd_nav/despot/search.h"
@@ -27,11 +28,12 @@ class LimitedSpacePlanner : public Planner {
   static void requireDrivable(const VehicleParams& vehicle);
 
   Decision decide(const Situation& situation, const SearchLimit& limit) override;
-  TreeView viewTree(int max_edges) const override;
+  TreeView viewTree(const TreeLimits& limits) const override;
   std::vector<Point> globalPath(const Point& from) const override;
   NavigationCell guidanceAt(const Point& place) const override {
     return field_.at(static_cast<float>(place.x()), static_cast<float>(place.y()));
   }
+  Guidance guidance() const override { return {way_to_goal_, nullptr}; }
 
  private:
   void renewPath(const VehicleState& vehicle, const std::vector<PersonBelief>& people,
@@ -52,7 +54,8 @@ class LimitedSpacePlanner : public Planner {
   StaticMap map_;
   Point goal_;
   std::vector<Point> destinations_;
-  NavigationField field_;
+  std::shared_ptr<const NavigationField> way_to_goal_;
+  const NavigationField& field_;
   HybridAstar astar_;
   StraightLinePedestrian pedestrian_model_;
   CrowdFutures futures_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -12,6 +14,7 @@
 #include "pomdp_crowd_nav/pomdp/model_params.h"
 #include "pomdp_crowd_nav/prior/navigation_field.h"
 #include "pomdp_crowd_nav/prior/prior_factory.h"
+#include "pomdp_crowd_nav/prior/rollout_prior.h"
 
 namespace pomdp_crowd_nav {
 
@@ -75,6 +78,19 @@ struct TreeView {
   std::vector<std::vector<Point>> rollouts;  // paths of the default policy from the best leaves
 };
 
+// How much of a tree is viewed; a cut leaves one tree.
+struct TreeLimits {
+  int edges = 0;
+  int depth = std::numeric_limits<int>::max();
+};
+
+// What a planner knows of a map and a goal before it meets anybody. Immutable, thread-safe, and
+// outlives the planner.
+struct Guidance {
+  std::shared_ptr<const NavigationField> field;
+  std::shared_ptr<const RolloutPrior> prior;  // of which the field was made; null where not kept
+};
+
 // Chooses what the robot does in the next step. One planner serves one map and one goal.
 // Not thread-safe: one thread decides and views.
 class Planner {
@@ -86,7 +102,7 @@ class Planner {
   virtual Decision decide(const Situation& situation, const SearchLimit& limit) = 0;
 
   // The tree of the last decision, the beliefs with most scenarios first.
-  virtual TreeView viewTree(int max_edges) const = 0;
+  virtual TreeView viewTree(const TreeLimits& limits) const = 0;
 
   // Path to the goal if nobody were about; starts at `from`, ends at the goal or where no way on
   // is known.
@@ -94,6 +110,8 @@ class Planner {
 
   // The same in brief: direction and length of the way on from a place.
   virtual NavigationCell guidanceAt(const Point& place) const = 0;
+
+  virtual Guidance guidance() const = 0;
 
   // False where that path is the beeline, of whatever stands in its way only the search knows.
   virtual bool pathAvoidsObstacles() const { return true; }

@@ -11,11 +11,13 @@ namespace pomdp_crowd_nav {
 
 // The edges of a search tree whose beliefs share a state; `positionOf(state)` is the robot's.
 template <class State, class Action, class PositionOf>
-TreeView viewOf(const Tree<State, Action>& tree, const SearchParams& params, int max_edges,
-                PositionOf positionOf) {
+TreeView viewOf(const Tree<State, Action>& tree, const SearchParams& params,
+                const TreeLimits& limits, PositionOf positionOf) {
   TreeView view;
   for (const ActionNode& node : tree.action_nodes) {
     if (node.child_count == 0) continue;
+    const BeliefNode& child = tree.beliefs[node.first_child];
+    if (child.depth > limits.depth) continue;
     const BeliefNode& parent = tree.beliefs[node.parent];
     TreeEdge edge;
     float lower = 0.0F;
@@ -24,7 +26,6 @@ TreeView viewOf(const Tree<State, Action>& tree, const SearchParams& params, int
       lower += tree.beliefs[c].lower;
       count += tree.beliefs[c].scenario_count;
     }
-    const BeliefNode& child = tree.beliefs[node.first_child];
     edge.from = positionOf(tree.states[parent.first_state]);
     edge.to = positionOf(tree.states[child.first_state]);
     edge.weight = static_cast<float>(count) / static_cast<float>(params.scenarios);
@@ -35,7 +36,9 @@ TreeView viewOf(const Tree<State, Action>& tree, const SearchParams& params, int
   // A parent weighs at least as much as its child and comes first, so the cut leaves one tree.
   std::stable_sort(view.edges.begin(), view.edges.end(),
                    [](const TreeEdge& a, const TreeEdge& b) { return a.weight > b.weight; });
-  if (static_cast<int>(view.edges.size()) > max_edges) view.edges.resize(std::max(0, max_edges));
+  if (static_cast<int>(view.edges.size()) > limits.edges) {
+    view.edges.resize(std::max(0, limits.edges));
+  }
   return view;
 }
 

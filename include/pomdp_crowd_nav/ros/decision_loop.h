@@ -32,10 +32,12 @@ struct DecisionReport {
 // the last planner until the new one stands.
 class DecisionLoop {
  public:
-  // Called without the lock: `decided` from the planning thread, `failed` from any.
+  // Called without the lock: `decided` and `adopted`, with the planner that decides from now on,
+  // from the planning thread, `failed` from any.
   struct Callbacks {
     std::function<void(const DecisionReport&, const Planner&)> decided;
     std::function<void(const Goal&, const std::string& reason)> failed;
+    std::function<void(const Planner&)> adopted;
   };
 
   DecisionLoop(const PlannerNodeParams& params, Guarded<Drive>& drive, MapWork& map_work,

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "pomdp_crowd_nav/belief/belief_tracker.h"
 #include "pomdp_crowd_nav/planner/planner.h"
 #include "pomdp_crowd_nav/sim/crowd.h"
 #include "pomdp_crowd_nav/sim/world_file.h"
@@ -25,30 +24,19 @@ double symbolSize(const Bounds& field);
 visualization_msgs::MarkerArray worldMarkers(const World& world, double tolerance,
                                              const std_msgs::Header& header);
 
-// People as they really are, where the robot has driven, and its disc.
-struct CrowdScene {
-  const std::vector<Walker>& walkers;
-  const std::vector<Point>& trail;  // [m]
-  Pose robot;
-  double robot_radius = 0.0;  // [m]
-  double symbol_size = 0.5;   // [m]
-};
-visualization_msgs::MarkerArray crowdMarkers(const CrowdScene& scene,
+// People as they really are.
+visualization_msgs::MarkerArray crowdMarkers(const std::vector<Walker>& walkers, double symbol_size,
                                              const std_msgs::Header& header);
 
-// Every person in the colour of the most likely destination, the more opaque the surer, with a
-// line toward it; those whose futures are searched have a ring.
-struct BeliefScene {
-  const CrowdBelief& crowd;
-  const std::vector<Point>& destinations;     // [m]
-  const std::vector<std::int64_t>& attended;  // ids
-  double symbol_size = 0.5;                   // [m]
+// What a decision has looked at and chosen.
+struct TreeScene {
+  TreeView view;
+  std::vector<Point> chosen;  // [m], places at the steps of the planned branch, from the start
 };
-visualization_msgs::MarkerArray beliefMarkers(const BeliefScene& scene,
-                                              const std_msgs::Header& header);
 
-// The tree from green (the best values in it) to red, deeper edges fainter, and roll-outs dashed.
-visualization_msgs::MarkerArray treeMarkers(const TreeView& view, double symbol_size,
+// The tree from green (the best values in it) to red, deeper edges fainter, roll-outs dashed, and
+// the chosen branch bold.
+visualization_msgs::MarkerArray treeMarkers(const TreeScene& scene, double symbol_size,
                                             const std_msgs::Header& header);
 
 // Colour of a destination, the same in all pictures.

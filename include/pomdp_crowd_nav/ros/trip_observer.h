@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include "pomdp_crowd_nav/evaluation/metrics.h"
 #include "pomdp_crowd_nav/sim/simulator.h"
@@ -18,7 +17,6 @@ class TripObserver {
   struct Params {
     MetricsRecorder::Params metrics;
     double goal_tolerance = 1.0;  // [m]
-    double trail_spacing = 0.25;  // [m], between points of the driven trail
   };
 
   TripObserver(const Params& params, const Point& goal);
@@ -33,19 +31,15 @@ class TripObserver {
   void tick(const Simulator& simulator);
 
   const EpisodeMetrics& metrics() const { return recorder_.metrics(); }
-  const std::vector<Point>& trail() const { return trail_; }
   bool hasReachedGoal() const { return has_reached_goal_; }
 
  private:
-  void extendTrail(const Point& robot);
-
   Params params_;
   Point goal_;
   std::optional<double> begin_time_;  // [s] of the simulation
   bool has_reached_goal_ = false;
   bool is_over_ = false;  // at rest at the goal
   MetricsRecorder recorder_;
-  std::vector<Point> trail_;
 };
 
 }  // namespace pomdp_crowd_nav
