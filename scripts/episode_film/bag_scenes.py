@@ -179,7 +179,7 @@ def grid_of(message):
 def detail_of(status, odom, people):
     twist = odom.twist.twist.linear
     parts = [f"{math.hypot(twist.x, twist.y):.1f} m/s", f"{len(people)} people seen"]
-    if status and status.decisions:
+    if status and status.trials:
         parts.append(f"{status.trials} trials in {status.cycle_time:.2f} s")
     if status and status.stop_cause:
         parts.append(status.stop_cause)
