@@ -13,6 +13,7 @@ system, 130 after Ctrl-C.
 import argparse
 import contextlib
 import pathlib
+import signal
 import sys
 import tempfile
 
@@ -47,6 +48,11 @@ def parse(arguments):
     return options
 
 
+def restore(master, name, value):
+    with contextlib.suppress(Refusal):  # a master that is gone has no parameters either
+        master.restore(name, value)
+
+
 @contextlib.contextmanager
 def replay_time(master):
     """Nodes that start now take the bag's time."""
@@ -55,7 +61,7 @@ def replay_time(master):
     try:
         yield
     finally:
-        master.restore("/use_sim_time", before)
+        restore(master, "/use_sim_time", before)
 
 
 def play(options, episode, master, folder):
@@ -72,8 +78,10 @@ def play(options, episode, master, folder):
             say(PROGRAM, f"{end}: close RViz or press Ctrl-C")
             replay.wait_for_rviz()
     finally:
+        for interrupt in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            signal.signal(interrupt, signal.SIG_IGN)  # from here on all is put back
         replay.end()
-        master.restore(DESCRIPTION, None)
+        restore(master, DESCRIPTION, None)
 
 
 def main():

@@ -12,6 +12,11 @@ GLOBAL = ("/tf", "/tf_static", "/diagnostics")
 COSTLY = r".*/(?!world_markers$)\w*markers|.*/(search_tree|arrival_time|roadmap|navigation)"
 
 
+def is_of_a_node(topic):
+    """Whether one of our nodes has published it under its own name."""
+    return any(f"/{node}/" in topic for node in NODES)
+
+
 def namespaces(topics):
     """Those in which there is a node of an episode, '' for none."""
     pattern = re.compile(rf"(.*)/(?:{'|'.join(NODES)})/\w+$")

@@ -36,7 +36,8 @@ class BagScenes:
                   if name and name != self.namespace]
         found = [topic for topic, kind in self.types.items()
                  if kind in kinds and not topic.startswith(tuple(others))]
-        found.sort(key=lambda topic: (not topic.startswith(self.namespace + "/"), topic))
+        found.sort(key=lambda topic: (names.is_of_a_node(topic),
+                                      not topic.startswith(self.namespace + "/"), topic))
         return found[0] if found else None
 
     def _find_topics(self):
@@ -49,7 +50,7 @@ class BagScenes:
             "people": self._of_type("pomdp_crowd_nav/People", "people_msgs/People"),
             "metrics": own + "/sim_node/metrics",
             "crowd": own + "/sim_node/crowd_markers", "world": own + "/sim_node/world_markers"}
-        for name, topic in (("beliefs", "beliefs"), ("rings", "belief_markers"),
+        for name, topic in (("beliefs", "beliefs"), ("rings", "belief_markers"), ("robot", "robot_markers"),
                             ("tree", "search_tree"), ("plan", "local_plan"),
                             ("way", "global_plan"), ("goal", "current_goal"),
                             ("status", "status")):
@@ -75,9 +76,10 @@ class BagScenes:
 
     def place(self):
         """The field, from the simulator's picture of the world, the map, or where the robot was."""
-        world, grid, crowd = self.first("world"), self.first("map"), self.first("crowd")
+        world, grid = self.first("world"), self.first("map")
         outlines = markers.lines_of(world) if world else []
-        radius = markers.radius_of(crowd, "robot") if crowd else 0.0
+        robot = self.first("robot") or self.first("crowd")
+        radius = markers.radius_of(robot, "disc", "robot") if robot else 0.0
         picture = grid_of(grid) if grid else None
         if outlines:
             corners = numpy.concatenate([lines.shapes.reshape(-1, 2) for lines in outlines])
@@ -136,7 +138,7 @@ class BagScenes:
                                   self.newest("beliefs"))
         return Scene(
             time=time, robots=[robot_pose(odom, self.frames)], people=people,
-            others=markers.spots_of(crowd, "people") if crowd else NOWHERE,
+            others=markers.spots_of(crowd, "really_there", "people") if crowd else NOWHERE,
             tree=markers.lines_of(tree) if tree else [],
             rings=markers.lines_of(rings, "attended") if rings else [],
             plan=path_of(self.newest("plan")), way=path_of(self.newest("way")),

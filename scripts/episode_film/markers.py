@@ -50,17 +50,17 @@ def lines_of(message, *spaces):
     return found
 
 
-def spots_of(message, space):
+def spots_of(message, *spaces):
     """Places of a list of spheres or points."""
-    for marker in lists_of(message, space):
+    for marker in lists_of(message, *spaces):
         if marker.type in (SPHERE_LIST, POINTS):
             return points_of(marker)
     return numpy.zeros((0, 2))
 
 
-def radius_of(message, space):
+def radius_of(message, *spaces):
     """Half the width of what is drawn there, 0 where nothing is."""
-    for marker in lists_of(message, space):
+    for marker in lists_of(message, *spaces):
         points = points_of(marker)
         if len(points):
             return 0.5 * float(numpy.ptp(points[:, 0]))

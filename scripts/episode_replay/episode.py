@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a replay needs to know of a bag."""
 from command_line.refusal import Refusal
-from episode_bag import opening
+from episode_bag import names, opening
 
 from .topics import Selection
 
@@ -26,6 +26,7 @@ class Episode:
 
     def _first(self, bag, kinds):
         topics = [topic for topic in self.selection.played if self.types[topic] in kinds]
+        topics.sort(key=names.is_of_a_node)  # there are other grids than the map
         if not topics:
             return None
         return next((message for _, message, _ in bag.read_messages(topics)), None)

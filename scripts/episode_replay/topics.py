@@ -56,7 +56,7 @@ class Selection:
     def name_map(self, types):
         """RViz looks for the map at /map, whatever the robot called it."""
         maps = [topic for topic in self.played if types[topic] == "nav_msgs/OccupancyGrid"
-                and not any(f"/{node}/" in topic for node in names.NODES)]
+                and not names.is_of_a_node(topic)]
         if len(maps) == 1:
             self.played[maps[0]] = "/map"
 

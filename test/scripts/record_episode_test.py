@@ -59,8 +59,14 @@ class RecordTest(unittest.TestCase):
         self.addCleanup(log.close)
         process = subprocess.Popen(["roslaunch", "-p", str(port), *map(str, arguments)],
                                    cwd=self.folder, env=self.environment, stdout=log, stderr=log)
-        self.addCleanup(process.kill)
+        self.addCleanup(self.end, process)
         return process
+
+    @staticmethod
+    def end(process):
+        if process.poll() is None:
+            process.send_signal(signal.SIGINT)  # it ends its nodes
+            process.wait(30)
 
     def bags(self, ending):
         return list(self.folder.glob("*.bag" + ending))

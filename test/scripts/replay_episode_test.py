@@ -102,8 +102,17 @@ class ReplayTest(unittest.TestCase):
         self.heard[topic] += 1
 
     def start(self, *arguments, command=(sys.executable, SCRIPT)):
-        return subprocess.Popen([*map(str, command), *map(str, arguments)], text=True,
-                                stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        process = subprocess.Popen([*map(str, command), *map(str, arguments)], text=True,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        self.addCleanup(self.end, process)
+        return process
+
+    @staticmethod
+    def end(process):
+        if process.poll() is None:
+            process.terminate()
+            process.wait(30)
+        process.stderr.close()
 
     def start_replay(self, bag, *options):
         return self.start(bag, "--rviz", "false", *options)
