@@ -10,6 +10,8 @@ from PIL import Image
 
 from command_line.refusal import Refusal
 
+from .palette import MEANINGFUL
+
 FORMATS = (".gif", ".mp4")
 CODECS = ("avc1", "mp4v")  # H.264, which browsers play, where this OpenCV can; else MPEG-4
 SAMPLES = 12               # pictures from which the colours of a GIF are chosen
@@ -36,10 +38,12 @@ class GifFile:
         colours, counts = numpy.unique(sample, axis=0, return_counts=True)
         by_count = numpy.argsort(-counts, kind="stable")
         kept, others = by_count[:self.colours // 3], by_count[self.colours // 3:]
-        exact = colours[kept].ravel().tolist()
+        meaningful = [round(255.0 * part) for colour in MEANINGFUL for part in colour]
+        exact = (meaningful if self.colours > 3 * len(MEANINGFUL) else []) + \
+            colours[kept].ravel().tolist()
         if len(others):
             weighed = numpy.repeat(colours[others], numpy.ceil(counts[others] ** 0.5).astype(int), 0)
-            room = self.colours - len(kept)
+            room = self.colours - len(exact) // 3
             found = Image.fromarray(weighed[numpy.newaxis]).quantize(room, Image.MEDIANCUT, dither=0)
             exact += found.getpalette()[:3 * room]
         return numpy.array(exact, dtype=numpy.int32).reshape(-1, 3)[:self.colours]

@@ -10,6 +10,8 @@ ROBOT = (0.10, 0.20, 0.80)
 PLAN = (0.86, 0.12, 0.47)
 RING = (0.85, 0.10, 0.10, 1.0)
 WAY = (0.80, 0.74, 0.90)
+# What must not be mistaken for each other, in a film of few colours either.
+MEANINGFUL = (PLAN, RING[:3], ROBOT, WAY, *DESTINATIONS)
 
 
 def person_colour(person, index=None):
