@@ -113,15 +113,16 @@ class RecordTest(unittest.TestCase):
         """Those that movo.launch remaps, whose publishers are the robot's."""
         command = subprocess.run(
             ["roslaunch", "--args", "recorder", ROOT / "launch/movo.launch", "record:=true",
-             "people_topic:=/spencer/persons", "cmd_vel_topic:=/base/cmd"], check=True, text=True,
+             "people_topic:=/spencer/persons", "cmd_vel_topic:=/base/cmd",
+             "people_msgs_topic:=/base/people"], check=True, text=True,
             stdout=subprocess.PIPE, env=self.environment).stdout.split()
         mappings = dict(word.split(":=") for word in command
                         if ":=" in word and not word.startswith("__"))
         topics = RECORD.topics_to_record("/recorder", mappings)
         for topic in ("/base/cmd", "/cmd_vel_raw", "/spencer/persons", "/map",
-                      "/movo/odometry/local_filtered", "/people"):
+                      "/movo/odometry/local_filtered", "/base/people"):
             self.assertIn(topic, topics)
-        self.assertFalse({"/odom", "/cmd_vel", "/tracked_persons"} & set(topics))
+        self.assertFalse({"/odom", "/cmd_vel", "/tracked_persons", "/people"} & set(topics))
 
     def test_bad_names(self):
         (self.folder / "old.bag").write_text("old")
