@@ -8,9 +8,11 @@ import contextlib
 import importlib.util
 import io
 import pathlib
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 import unittest.mock
 
@@ -185,6 +187,17 @@ class RenderTest(unittest.TestCase):
         result = subprocess.run([sys.executable, SCRIPT, self.bag, "--output", "film.avi"], text=True,
                                 check=False, stderr=subprocess.PIPE, timeout=120)
         self.assertEqual(result.returncode, 2, result.stderr)
+
+    def test_interrupted(self):
+        process = subprocess.Popen([sys.executable, SCRIPT, self.bag, "--output",
+                                    self.folder / "film.mp4", "--speed", "0.01"],
+                                   stderr=subprocess.DEVNULL)
+        end = time.monotonic() + 60.0
+        while not list(self.folder.iterdir()) and time.monotonic() < end:
+            time.sleep(0.1)
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.wait(30), 130)
+        self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_a_film_that_fails_leaves_the_old_one(self):
         film = self.write("film.gif", "the old one")
