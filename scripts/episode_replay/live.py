@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Keeps a replay away from a system that is alive."""
+import http.client
 import os
-import socket
 
 import rosgraph
 
@@ -17,13 +17,12 @@ ELSEWHERE = ("replay on a master of its own: ROS_MASTER_URI=http://localhost:113
 class Master:
     """What is asked of the master and told to it."""
 
-    def __init__(self):
-        self.master = rosgraph.Master("/replay_episode")
-
-    def _ask(self, question, *arguments):
+    @staticmethod
+    def _ask(question, *arguments):
+        """On a connection of its own: Ctrl-C may have cut the last one short."""
         try:
-            return getattr(self.master, question)(*arguments)
-        except (OSError, socket.error, rosgraph.MasterException) as error:
+            return getattr(rosgraph.Master("/replay_episode"), question)(*arguments)
+        except (OSError, http.client.HTTPException, rosgraph.MasterException) as error:
             uri = os.environ.get("ROS_MASTER_URI", "")
             raise Refusal(f"no answer from a master at '{uri}' ({error}); roslaunch pomdp_crowd_nav "
                           "replay.launch bag:=... starts one") from None

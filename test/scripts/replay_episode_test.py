@@ -35,6 +35,7 @@ SPEC = importlib.util.spec_from_file_location("replay_episode", SCRIPT)
 REPLAY = importlib.util.module_from_spec(SPEC)
 SPEC.loader.exec_module(REPLAY)
 # pylint: disable=wrong-import-position
+from episode_replay.live import Master  # noqa: E402
 from episode_replay.view import replay_view  # noqa: E402
 
 SECONDS = 2.0
@@ -180,14 +181,22 @@ class ReplayTest(unittest.TestCase):
 
     def test_time_is_restored_after_an_interrupt(self):
         self.master.setParam(SIM_TIME, False)
-        for number in (signal.SIGINT, signal.SIGTERM):
+        for number, wait in ((signal.SIGINT, 0.3), (signal.SIGINT, 0.5), (signal.SIGTERM, 0.4)):
             process = self.start_replay(self.bag, "--rate", 0.2)
             self.assertTrue(wait_until(lambda: "/odom" in self.published()))
+            time.sleep(wait)  # it asks the master every half second, which must not matter
             self.assertIs(self.master.getParam(SIM_TIME), True)
             process.send_signal(number)
             self.finish(process, 130)
             self.assertIs(self.master.getParam(SIM_TIME), False)
             self.assertTrue(wait_until(lambda: "/odom" not in self.published()))
+
+    def test_asks_again_after_an_interrupted_question(self):
+        master = Master()
+        with unittest.mock.patch("http.client.HTTPConnection.getresponse",
+                                 side_effect=KeyboardInterrupt):
+            self.assertRaises(KeyboardInterrupt, master.get, SIM_TIME)
+        self.assertIsNone(master.get(SIM_TIME))
 
     def test_refuses_a_live_system(self):
         for topic, kind in (("/tf", TFMessage), ("/base/cmd_vel", Twist), ("/clock", String)):
