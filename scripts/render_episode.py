@@ -74,8 +74,8 @@ def render(options, source, path):
     from episode_film.history import History
     start, end = shown_span(options, source)
     step = options.speed / options.fps
-    film, history, progress = Film(source.place(), options.width, options.zoom), History(), \
-        Progress(PROGRAM)
+    film = Film(source.place(), options.width, options.zoom)
+    history, progress = History(), Progress(PROGRAM)
     count = 0
     with film_file(path, options.fps, options.max_colors) as file:
         for scene in source.scenes(start, end, step):

@@ -2,13 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Shows a recorded episode again in RViz; started by replay.launch.
 
-  roslaunch pomdp_crowd_nav replay.launch bag:=/path/to/episode.bag
+  roslaunch pomdp_crowd_nav replay.launch bag:=episode.bag
+  replay_episode.py episode.bag --rate 2     where a master is running
 
-A replay moves nothing: only topics that are looked at are played, never commands, goals or poses. It
-refuses to begin, and stops, where somebody publishes such a topic already or may send commands on this
-master. /use_sim_time is set while it lasts and then as it was before. Exit status 0 at the end of the
-bag or when RViz is closed, 2 and one line for a bad argument, a bag that cannot be played, a live
-system, 130 after Ctrl-C.
+A replay moves nothing: only topics that are looked at are played, never commands, goals or poses.
+It refuses to begin, and stops, where somebody publishes such a topic already or may send commands on
+this master. /use_sim_time is set while it lasts and then as it was before. Exit status 0 at the end
+of the bag or when RViz is closed, 2 and one line for a bad argument, a bag that cannot be played, a
+live system, 130 after Ctrl-C.
 """
 import argparse
 import contextlib
@@ -44,7 +45,7 @@ def parse(arguments):
                         help="of the robot to show, where the bag has several")
     options = parser.parse_args([word for word in arguments if ":=" not in word])
     if options.bag == "none":
-        raise Refusal("name the bag: roslaunch pomdp_crowd_nav replay.launch bag:=/path/to/episode.bag")
+        raise Refusal("name the bag: roslaunch pomdp_crowd_nav replay.launch bag:=episode.bag")
     return options
 
 

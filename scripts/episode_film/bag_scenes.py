@@ -72,7 +72,8 @@ class BagScenes:
     def first(self, name):
         if name not in self.topics:
             return None
-        return next((message for _, message, _ in self.bag.read_messages([self.topics[name]])), None)
+        messages = self.bag.read_messages([self.topics[name]])
+        return next((message for _, message, _ in messages), None)
 
     def place(self):
         """The field, from the simulator's picture of the world, the map, or where the robot was."""

@@ -10,8 +10,8 @@ from command_line.refusal import Refusal
 from .topics import is_command
 
 OWN = ("/replay_player", "/replay_rviz")
-ELSEWHERE = ("replay on a master of its own: ROS_MASTER_URI=http://localhost:11399 roslaunch -p 11399 "
-             "pomdp_crowd_nav replay.launch bag:=...")
+ELSEWHERE = ("replay on a master of its own: ROS_MASTER_URI=http://localhost:11399 roslaunch "
+             "-p 11399 pomdp_crowd_nav replay.launch bag:=...")
 
 
 class Master:

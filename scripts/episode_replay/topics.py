@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Which topics of a bag are played, and under which names.
 
-A list of what may be played, not of what may not: whatever is not known to be only looked at stays in
-the bag. No command, goal, cancellation or pose to drive from is among it.
+A list of what may be played, not of what may not: whatever is not known to be only looked at stays
+in the bag. No command, goal, cancellation or pose to drive from is among it.
 """
 from command_line.refusal import Refusal
 from episode_bag import names
