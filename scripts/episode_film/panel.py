@@ -11,6 +11,8 @@ from .scene import Lines
 
 PERSON = 0.3        # [m], radius of a symbol that is large enough
 LEAST_PIXELS = 2.2  # radius of a symbol
+# Before matplotlib 3.5 the argument had another name.
+OFFSETS = "offset_transform" if hasattr(EllipseCollection, "set_offset_transform") else "transOffset"
 
 
 class Panel:
@@ -65,8 +67,8 @@ class Panel:
             return
         size = 2.0 * self.radius(metres)
         self._keep(self.axes.add_collection(EllipseCollection(
-            size, size, 0.0, units="xy", offsets=numpy.asarray(places),
-            offset_transform=self.axes.transData, zorder=order, **look)))
+            size, size, 0.0, units="xy", offsets=numpy.asarray(places), zorder=order,
+            **{OFFSETS: self.axes.transData}, **look)))
 
     def _path(self, places, metres, order, **look):
         if len(places) > 1:
