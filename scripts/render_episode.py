@@ -41,8 +41,9 @@ def parse(arguments):
                         help="[s] of the episode from its beginning (0)")
     parser.add_argument("--end", type=number(0.0, 1e9), default=1e9,
                         help="[s] of the episode from its beginning (its end)")
-    parser.add_argument("--zoom", type=number(0.0, 1000.0), default=24.0,
-                        help="[m] shown about the robot beside the field; 0: the field alone (24)")
+    parser.add_argument("--zoom", type=number(0.0, 1000.0), default=None,
+                        help="[m] shown about the robot beside the field; 0: the field alone (24 of a "
+                             "bag, 0 of trails)")
     parser.add_argument("--max-colors", type=number(2, 255, int), default=64,
                         help="of a .gif; fewer make it smaller (64)")
     parser.add_argument("--namespace", default="only",
@@ -74,7 +75,7 @@ def render(options, source, path):
     from episode_film.history import History
     start, end = shown_span(options, source)
     step = options.speed / options.fps
-    film = Film(source.place(), options.width, options.zoom)
+    film = Film(source.place(), options.width, source.ZOOM if options.zoom is None else options.zoom)
     history, progress = History(), Progress(PROGRAM)
     count = 0
     with film_file(path, options.fps, options.max_colors) as file:

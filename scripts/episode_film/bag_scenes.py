@@ -14,11 +14,13 @@ from .scene import NOWHERE, Place, Scene
 
 TF = ("/tf", "/tf_static")
 FRAME_SOURCES = ("nav_msgs/OccupancyGrid", "pomdp_crowd_nav/CrowdBelief", "nav_msgs/Path")
-MARGIN = 2.0  # [m]
+MARGIN = 10.0  # [m], where there is no map
 
 
 class BagScenes:
     """Reads a bag once, from front to back; of each topic only what is shown is taken apart."""
+
+    ZOOM = 24.0  # [m]
 
     def __init__(self, bag, path, namespace):
         self.bag, self.path = bag, path
@@ -100,7 +102,7 @@ class BagScenes:
                 frames.hear(message)
             else:
                 places.append(robot_pose(message, frames)[:2])
-        lows, highs = numpy.min(places, axis=0) - 10.0, numpy.max(places, axis=0) + 10.0
+        lows, highs = numpy.min(places, axis=0) - MARGIN, numpy.max(places, axis=0) + MARGIN
         return (*lows, *highs)
 
     def scenes(self, start, end, step):

@@ -8,8 +8,6 @@ from experiment_figures.world import world_file
 
 from .scene import Place, Scene
 
-MARGIN = 2.0  # [m]
-
 
 def only(rows, key, wanted, path):
     """The rows of one world, planner or crowd: the wanted one, else the only one."""
@@ -26,6 +24,8 @@ def only(rows, key, wanted, path):
 
 
 class TrailScenes:
+    ZOOM = 0.0  # [m], there is nothing about the robots
+
     def __init__(self, path, options, config):
         rows = read_rows(path, ("time_s", "x_m", "y_m"))
         rows = only(rows, "world", options.world, path)

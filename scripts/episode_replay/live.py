@@ -23,7 +23,7 @@ class Master:
         try:
             return getattr(rosgraph.Master("/replay_episode"), question)(*arguments)
         except (OSError, http.client.HTTPException, rosgraph.MasterException) as error:
-            uri = os.environ.get("ROS_MASTER_URI", "")
+            uri = os.environ.get("ROS_MASTER_URI", "nowhere, ROS_MASTER_URI is not set")
             raise Refusal(f"no answer from a master at '{uri}' ({error}); roslaunch pomdp_crowd_nav "
                           "replay.launch bag:=... starts one") from None
 

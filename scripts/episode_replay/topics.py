@@ -16,6 +16,7 @@ TYPES = {
     "spencer_tracking_msgs/TrackedPersons", "tf/tfMessage", "tf2_msgs/TFMessage",
     "visualization_msgs/Marker", "visualization_msgs/MarkerArray"}
 POSE = "geometry_msgs/PoseStamped"  # a goal to show or a goal to drive to: the name decides
+COMMANDS = ("Twist", "TwistStamped", "AckermannDrive", "AckermannDriveStamped")
 SHOWN_POSE = "/planner_node/current_goal"
 
 
@@ -27,7 +28,7 @@ def may_be_played(topic, kind):
 
 def is_command(kind):
     """Whether publishers of this type say that something can be driven here."""
-    return kind.split("/")[-1] in ("Twist", "TwistStamped")
+    return kind.split("/")[-1] in COMMANDS
 
 
 class Selection:
