@@ -92,7 +92,8 @@ class RecordTest(unittest.TestCase):
     SIMULATION = ("rviz:=false", "pedestrians:=20", "record:=true")
 
     def test_a_trip(self):
-        topics = self.record(8.0, "pomdp_crowd_nav", "simulation.launch", *self.SIMULATION)
+        topics = self.record(8.0, ROOT / "launch/simulation.launch",
+                             *self.SIMULATION)
         self.assertEqual(({"/" + name for name in OWN} | SHARED) - topics.keys(), set(), self.said())
         self.assertGreater(topics["/odom"], 100)
         self.assertFalse({"/move_base/goal", "/move_base_simple/goal", "/initialpose", "/rosout"}

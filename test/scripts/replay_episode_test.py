@@ -157,7 +157,7 @@ class ReplayTest(unittest.TestCase):
 
     def test_launch_file(self):
         self.listen("/planner_node/beliefs", "/cmd_vel")
-        process = self.start("pomdp_crowd_nav", "replay.launch", f"bag:={self.bag}",
+        process = self.start(ROOT / "launch/replay.launch", f"bag:={self.bag}",
                              "rviz:=false", "rate:=2.0", command=["roslaunch"])
         self.finish(process, 0)
         self.assertGreater(self.heard["/planner_node/beliefs"], 0)
