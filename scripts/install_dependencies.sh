@@ -14,7 +14,8 @@ BUILD_PACKAGES=(
   libbenchmark-dev libcli11-dev libeigen3-dev libfmt-dev libompl-dev libopencv-dev
   libyaml-cpp-dev nlohmann-json3-dev
   libgtest-dev librostest-dev python3-rostest
-  python3-matplotlib python3-yaml)
+  python3-matplotlib python3-opencv python3-pil python3-rosbag python3-visualization-msgs
+  python3-yaml)
 RUN_PACKAGES=(
   python3-roslaunch python3-rosparam python3-rosservice python3-rostopic rosbash rospack-tools
   libnodeletlib-tools python3-actionlib-msgs python3-geometry-msgs python3-nav-msgs python3-rospy
