@@ -188,6 +188,16 @@ def check_tools(root, text):
     require("demo.sh", set(re.findall(r"(--[a-z-]+)", options)) - {"--help"}, text)
 
 
+def check_lists(root, text):
+    """The README lists every page and every program that a user may start."""
+    pages = {f"doc/{path.name}" for path in (root / "doc").glob("*.md")}
+    problems.extend(f"README.md: {page} is in no list" for page in sorted(pages)
+                    if f"[{page}]({page})" not in text)
+    programs = {path.stem for path in (root / "src/tools").glob("*.cpp")} | \
+        {path.name for path in (root / "scripts").glob("*.py")}
+    require("list of tools", sorted(programs), text)
+
+
 def check_build_folders(text):
     """rosrun passes over a folder `build` inside a package."""
     for folder in re.findall(r"cmake -S \. -B (\S+)", text):
@@ -240,6 +250,7 @@ def main():
     check_reconfigurable(root, tables_of(text))
     check_tools(root, text + "".join((root / "doc" / name).read_text()
                                      for name in ("tools.md", "movo.md")))
+    check_lists(root, text)
     check_build_folders(text)
     check_commands(root)
     check_links(root)
