@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The panel without its widgets, for panel_master_test.py: prints what it shows whenever that
-// changes, and takes the names of buttons from standard input.
+// changes, and chooses the planners that it reads from standard input.
 #include <ros/ros.h>
 
 #include <chrono>
@@ -24,12 +24,6 @@ void readWords(Words& words) {
   while (std::cin >> word) {
     words.with([&](auto& list) { list.push_back(word); });
   }
-}
-
-void press(PanelSession& session, const std::string& button) {
-  if (button == "pause") session.pause();
-  if (button == "start") session.start();
-  if (button == "stop") session.stop();
 }
 
 void show(const PanelPicture& picture, std::string& shown) {
@@ -57,7 +51,7 @@ int main(int argc, char** argv) {
     show(session.picture(), shown);
     for (const std::string& word :
          words.with([](auto& list) { return std::exchange(list, std::vector<std::string>()); })) {
-      press(session, word);
+      session.choosePlanner(word);
     }
     const auto duration = std::chrono::steady_clock::now() - begin;
     if (duration > std::chrono::seconds(1)) std::cout << "was made to wait" << std::endl;

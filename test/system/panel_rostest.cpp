@@ -59,7 +59,7 @@ TEST_F(PanelTest, StartsWithTheGoalOfTheWorldWhereThereWasNone) {
                   std::string(SOURCE_DIR) + "/config/worlds/scenario_1.yaml");
   ros::param::set("/fake/sim_node/global_frame", "field");
   rig_.click("start_button");
-  EXPECT_TRUE(waitForCall("goal field 90 90")) << rig_.text("message_label");
+  EXPECT_TRUE(waitForCall("goal field 100 75")) << rig_.text("message_label");
 }
 
 TEST_F(PanelTest, SaysWhyAWorldCannotBeRead) {
