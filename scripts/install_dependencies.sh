@@ -20,7 +20,8 @@ RUN_PACKAGES=(
   python3-roslaunch python3-rosparam python3-rosservice python3-rostopic rosbash rospack-tools
   libnodeletlib-tools python3-actionlib-msgs python3-geometry-msgs python3-nav-msgs python3-rospy
   python3-tf2-msgs ros-robot-state-publisher)
-RVIZ_PACKAGES=(rviz)
+# Seeing it, the panel in RViz included.
+RVIZ_PACKAGES=(rviz librviz-dev qtbase5-dev)
 DOC_PACKAGES=(doxygen)
 
 # A python3 of pyenv or conda in front of the system's lacks the ROS modules.
@@ -134,11 +135,18 @@ configure() {
   cmake -S "$source_dir" -B "$build_dir" "${options[@]}"
 }
 
+# Whether the build folder was configured before RViz was there.
+is_without_panel() {
+  grep -q '^rviz_DIR:.*-NOTFOUND$' "$1/CMakeCache.txt" 2>/dev/null &&
+    [[ -z $(missing_packages "${RVIZ_PACKAGES[@]}") ]]
+}
+
 # build LABEL SOURCE_DIR BUILD_DIR TARGET... : configures once; later the build tool sees to it.
 build() {
   local label=$1 source_dir=$2 build_dir=$3 log=$3/logs/build.log
   shift 3
-  if [[ ! -e $build_dir/build.ninja && ! -e $build_dir/Makefile ]]; then
+  if [[ ! -e $build_dir/build.ninja && ! -e $build_dir/Makefile ]] ||
+    is_without_panel "$build_dir"; then
     run_step "$label configuring…" "$build_dir/logs/configure.log" \
       configure "$source_dir" "$build_dir" || return
   fi

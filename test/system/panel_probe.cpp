@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The panel without its widgets, for panel_master_test.py: prints what it shows whenever that
+// changes, and chooses the planners that it reads from standard input.
+#include <ros/ros.h>
+
+#include <chrono>
+#include <iostream>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "pomdp_crowd_nav/panel/panel_session.h"
+#include "pomdp_crowd_nav/ros/guarded.h"
+
+namespace pomdp_crowd_nav {
+namespace {
+
+using Words = Guarded<std::vector<std::string>>;
+
+void readWords(Words& words) {
+  std::string word;
+  while (std::cin >> word) {
+    words.with([&](auto& list) { list.push_back(word); });
+  }
+}
+
+void show(const PanelPicture& picture, std::string& shown) {
+  const std::string state = picture.texts.state;
+  const std::string line = (state.rfind("silent", 0) == 0 ? "silent" : state) + " | " +
+                           picture.planner + " | " + picture.message;
+  if (line != shown) std::cout << line << std::endl;
+  shown = line;
+}
+
+}  // namespace
+}  // namespace pomdp_crowd_nav
+
+int main(int argc, char** argv) {
+  using namespace pomdp_crowd_nav;
+  ros::init(argc, argv, "panel_probe");
+  const ros::NodeHandle node;
+  Words words{std::vector<std::string>()};
+  std::thread(readWords, std::ref(words)).detach();
+  PanelSession session{PanelNames()};
+  std::string shown;
+  while (ros::ok()) {
+    const auto begin = std::chrono::steady_clock::now();
+    session.tick();
+    show(session.picture(), shown);
+    for (const std::string& word :
+         words.with([](auto& list) { return std::exchange(list, std::vector<std::string>()); })) {
+      session.choosePlanner(word);
+    }
+    const auto duration = std::chrono::steady_clock::now() - begin;
+    if (duration > std::chrono::seconds(1)) std::cout << "was made to wait" << std::endl;
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  return 0;
+}
