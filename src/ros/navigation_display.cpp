@@ -97,6 +97,12 @@ void NavigationDisplay::showPlanner(const Planner& planner) {
 }
 
 void NavigationDisplay::showDecision(const DecisionReport& report, const Planner& planner) {
+  int depth = 0;
+  const bool is_over = drive_.with([&](Drive& drive) {
+    depth = drive.params->tree_depth;
+    return !drive.hasGoal();
+  });
+  if (is_over) return;  // else it would stay when plans have been cleared
   std::vector<Point> plan = positions(report.decision.plan);
   local_plan_.publish(toMessage(plan, header()));
   if (global_plan_.getNumSubscribers() > 0) {
@@ -106,7 +112,6 @@ void NavigationDisplay::showDecision(const DecisionReport& report, const Planner
   }
   std::optional<TreeScene> tree;
   if (search_tree_.getNumSubscribers() > 0) {
-    const int depth = drive_.with([](Drive& drive) { return drive.params->tree_depth; });
     tree = TreeScene{planner.viewTree({kMaxTreeEdges, depth}), std::move(plan)};
   }
   news_.with([&](News& news) {
