@@ -8,6 +8,7 @@ namespace pomdp_crowd_nav {
 namespace {
 
 constexpr double kHeadroom = 1.25;  // top of the box over the deadline
+constexpr double kLeast = 1.0;      // [px], height of a bar: that a decision was made is to be seen
 
 }  // namespace
 
@@ -29,7 +30,8 @@ CycleBars barsOf(const CycleHistory& history, std::optional<double> deadline, do
   bars.width = box_width / CycleHistory::kMost;
   double left = box_width - bars.width * static_cast<double>(times.size());
   for (const double time : times) {
-    bars.bars.push_back({left, height(time), deadline && time > *deadline});
+    const double bar_top = std::min(height(time), box_height - kLeast);
+    bars.bars.push_back({left, bar_top, deadline && time > *deadline});
     left += bars.width;
   }
   if (deadline) bars.deadline_top = height(*deadline);

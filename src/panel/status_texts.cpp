@@ -34,7 +34,7 @@ std::string ageText(double age, const char* never) {
 std::string decisionText(const PlannerStatus& status, std::optional<double> deadline) {
   if (status.decisions == 0) return "none yet";
   const std::string limit = deadline ? fmt::format(" of {:.2f}", *deadline) : "";
-  return fmt::format("{:.2f}{} s, {} trials, {} nodes", status.cycle_time, limit, status.trials,
+  return fmt::format("{:.3f}{} s, {} trials, {} nodes", status.cycle_time, limit, status.trials,
                      status.tree_size);
 }
 

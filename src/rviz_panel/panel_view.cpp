@@ -139,8 +139,10 @@ QLayout* PanelView::makeSimulation() {
   people_ = new QSpinBox;
   people_->setObjectName("people_field");
   people_->setRange(-1, 10000);
-  people_->setSpecialValueText("people as before");
+  people_->setSpecialValueText("as before");
   people_->setSuffix(" people");
+  seed_->setToolTip("seed of the crowd after a reset");
+  people_->setToolTip("number of people after a reset");
   for (QSpinBox* field : {seed_, people_}) {
     field->setMinimumWidth(60);
     QObject::connect(field, QOverload<int>::of(&QSpinBox::valueChanged), this,

@@ -57,6 +57,12 @@ TEST(CycleBars, TheLongestFitsIntoTheBox) {
   EXPECT_NEAR(bars.bars[0].top, 100.0 * (1.0 - 0.2 / 3.0), 1e-9);
 }
 
+TEST(CycleBars, AShortDecisionIsSeenToo) {
+  CycleHistory history;
+  history.add(1, 0.0);
+  EXPECT_DOUBLE_EQ(barsOf(history, 0.4, 120.0, 100.0).bars.at(0).top, 99.0);
+}
+
 TEST(CycleBars, NothingIsLateWithoutADeadline) {
   CycleHistory history;
   EXPECT_TRUE(barsOf(history, std::nullopt, 120.0, 100.0).bars.empty());

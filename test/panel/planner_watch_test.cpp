@@ -69,7 +69,7 @@ TEST(StatusTexts, TellWhatTheStatusTells) {
   EXPECT_EQ(texts.mood, Mood::kWaiting);
   EXPECT_EQ(texts.state, "WAITING_FOR_PEOPLE");
   EXPECT_EQ(texts.cause, "person 12 is in the way since 3.0 s");
-  EXPECT_EQ(texts.decision, "0.35 of 0.40 s, 1234 trials, 5678 nodes");
+  EXPECT_EQ(texts.decision, "0.351 of 0.40 s, 1234 trials, 5678 nodes");
   EXPECT_EQ(texts.late, "2 of 40 decisions");
   EXPECT_EQ(texts.odometry, "0.02 s old");
   EXPECT_EQ(texts.people, "0.09 s old, 400 tracked");
