@@ -81,8 +81,8 @@ class BagScenes:
         """The field, from the simulator's picture of the world, the map, or where the robot was."""
         world, grid = self.first("world"), self.first("map")
         outlines = markers.lines_of(world) if world else []
-        robot = self.first("robot") or self.first("crowd")
-        radius = markers.radius_of(robot, "disc", "robot") if robot else 0.0
+        robot = self.first("robot")
+        radius = markers.radius_of(robot, "disc") if robot else 0.0
         picture = grid_of(grid) if grid else None
         if outlines:
             corners = numpy.concatenate([lines.shapes.reshape(-1, 2) for lines in outlines])
@@ -141,7 +141,7 @@ class BagScenes:
                                   self.newest("beliefs"))
         return Scene(
             time=time, robots=[robot_pose(odom, self.frames)], people=people,
-            others=markers.spots_of(crowd, "really_there", "people") if crowd else NOWHERE,
+            others=markers.spots_of(crowd, "really_there") if crowd else NOWHERE,
             tree=markers.lines_of(tree) if tree else [],
             rings=markers.lines_of(rings, "attended") if rings else [],
             plan=path_of(self.newest("plan")), way=path_of(self.newest("way")),
