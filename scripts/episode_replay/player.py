@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The programs that a replay runs, and its course."""
+import ctypes
 import os
 import signal
 import subprocess
@@ -22,11 +23,21 @@ def program(package, name, hint):
     return found[0]
 
 
+LIBC = ctypes.CDLL(None)
+PR_SET_PDEATHSIG = 1  # see prctl(2)
+
+
+def end_with_parent():
+    """The calling process gets SIGINT when its parent is gone, however that ended."""
+    LIBC.prctl(PR_SET_PDEATHSIG, signal.SIGINT)
+
+
 class Child:
     """A program of its own process group: Ctrl-C reaches this script alone, which ends it."""
 
     def __init__(self, arguments, **options):
-        self.process = subprocess.Popen(arguments, start_new_session=True, **options)
+        self.process = subprocess.Popen(arguments, start_new_session=True,
+                                        preexec_fn=end_with_parent, **options)
 
     def has_ended(self):
         return self.process.poll() is not None

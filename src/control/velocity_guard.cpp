@@ -10,14 +10,17 @@
 namespace pomdp_crowd_nav {
 namespace {
 
-constexpr double kLongestPeriod = 0.1;   // [s], a later tick allows no more change
-constexpr double kRestSpeed = 0.03;      // [m/s]
-constexpr double kRestYawRate = 0.05;    // [rad/s]
-constexpr double kFarthest = 1e6;        // [m] from the origin of odometry
-constexpr double kPlausible = 3.0;       // times its maximum speed, no base drives faster
-constexpr double kFastestPerson = 20.0;  // [m/s], the speed of a faster one is not known
-constexpr double kRestTime = 0.2;        // [s] of zeros at least
-constexpr double kRestPatience = 5.0;    // [s] of zeros for a base that is not seen to rest
+constexpr double kLongestPeriod = 0.1;     // [s], a later tick allows no more change
+constexpr double kRestSpeed = 0.03;        // [m/s]
+constexpr double kRestYawRate = 0.05;      // [rad/s]
+constexpr double kFarthest = 1e6;          // [m] from the origin of odometry
+constexpr double kPlausible = 3.0;         // times its maximum speed, no base drives faster
+constexpr double kFastestPerson = 20.0;    // [m/s], the speed of a faster one is not known
+constexpr double kRestTime = 0.2;          // [s] of zeros at least
+constexpr double kRestPatience = 5.0;      // [s] of zeros for a base that is not seen to rest
+constexpr double kTakeOverPatience = 1.0;  // [s] the same for a base that others may drive
+constexpr double kTakeOverWindow = 5.0;    // [s] after its start in which a guard takes over
+constexpr double kLostPersonTime = 10.0;   // [s] that a silent source's people are missed
 
 double speedOf(const Point& velocity) { return std::hypot(velocity.x(), velocity.y()); }
 
@@ -113,6 +116,9 @@ void VelocityGuard::takeMotion(const Pose& pose, const BaseCommand& velocity, do
 
 void VelocityGuard::takePeople(const TrackList& people, double measured_at, size_t source) {
   Sweep& sweep = sweeps_.at(source);
+  const bool is_outdated =
+      measured_at < sweep.at && !isRecent(measured_at, params_.people_timeout, sweep.at);
+  if (is_outdated) return;  // newer ones are known
   sweep = {people, measured_at};
   for (Track& person : sweep.people.tracks) {
     if (!(speedOf(person.velocity) <= kFastestPerson)) person.velocity = Point(0.0, 0.0);
@@ -141,6 +147,14 @@ double VelocityGuard::peopleAt() const {
   return newest;
 }
 
+// One of them reported somebody, and has been silent since.
+bool VelocityGuard::hasLostPeople(double now) const {
+  return std::any_of(sweeps_.begin(), sweeps_.end(), [&](const Sweep& sweep) {
+    return !sweep.people.tracks.empty() && !isRecent(sweep.at, params_.people_timeout, now) &&
+           isRecent(sweep.at, kLostPersonTime, now);
+  });
+}
+
 bool VelocityGuard::isRecent(double moment, double limit, double now) {
   return moment >= 0.0 && now - moment <= limit;
 }
@@ -152,6 +166,7 @@ bool VelocityGuard::hasMotion(double now) const {
 VelocityGuard::Output VelocityGuard::tick(double now) {
   const double period = std::clamp(now - last_tick_, 0.0, kLongestPeriod);
   last_tick_ = now;
+  if (first_tick_ < 0.0) first_tick_ = now;
   const GuardCause no_command = whyNoCommand(now);
   if (no_command != GuardCause::kNone) {
     if (mustTakeOver(now)) limiter_.limit(velocity_, {}, period, velocity_.velocity);
@@ -183,7 +198,7 @@ GuardCause VelocityGuard::whyNoCommand(double now) const {
 }
 
 GuardCause VelocityGuard::missingInput(double now) const {
-  const bool has_people = isRecent(peopleAt(), params_.people_timeout, now);
+  const bool has_people = isRecent(peopleAt(), params_.people_timeout, now) && !hasLostPeople(now);
   if (hasMotion(now) && has_people) return GuardCause::kNone;
   if (isRecent(clock_jump_at_, params_.people_timeout, now)) return GuardCause::kClockJumped;
   if (!hasMotion(now)) {
@@ -260,7 +275,8 @@ VelocityGuard::Output VelocityGuard::stopped(GuardCause cause, double now, doubl
 // A guard that was started anew beside a planner that is dead, or never was, finds a base that goes
 // on by itself. True once, when braking begins: it begins with the measured velocity.
 bool VelocityGuard::mustTakeOver(double now) {
-  if (command_at_ >= 0.0) take_over_ = TakeOver::kOver;
+  const bool is_late = take_over_ == TakeOver::kUndecided && now - first_tick_ > kTakeOverWindow;
+  if (command_at_ >= 0.0 || is_late) take_over_ = TakeOver::kOver;
   if (take_over_ != TakeOver::kUndecided || !hasMotion(now)) return false;
   if (speedOf(velocity_.velocity) < kRestSpeed && std::abs(velocity_.yaw_rate) < kRestYawRate) {
     take_over_ = TakeOver::kOver;
@@ -280,7 +296,8 @@ bool VelocityGuard::isIdle(double now) {
   if (zero_since_ < 0.0) zero_since_ = now;
   const bool rests = hasMotion(now) && speedOf(velocity_.velocity) < kRestSpeed &&
                      std::abs(velocity_.yaw_rate) < kRestYawRate;
-  const bool is_idle = now - zero_since_ > (rests ? kRestTime : kRestPatience);
+  const double patience = take_over_ == TakeOver::kBrakes ? kTakeOverPatience : kRestPatience;
+  const bool is_idle = now - zero_since_ > (rests ? kRestTime : patience);
   if (is_idle) take_over_ = TakeOver::kOver;
   return is_idle;
 }

@@ -183,6 +183,13 @@ void readGuard(ParamReader& reader, NavigationParams& params) {
   params.guard.people_timeout = params.people_timeout;
 }
 
+void requireNarrowSpeed(const PriorParams& prior) {
+  if (prior.narrow_speed >= prior.blocked_speed && prior.narrow_speed <= 1.0) return;
+  throw std::invalid_argument(
+      fmt::format("prior/narrow_speed must be between prior/blocked_speed ({}) and 1, got {}",
+                  prior.blocked_speed, prior.narrow_speed));
+}
+
 }  // namespace
 
 void readNavigationParams(ParamReader& reader, NavigationParams& params) {
@@ -198,6 +205,7 @@ void readNavigationParams(ParamReader& reader, NavigationParams& params) {
 
 void validate(const NavigationParams& params) {
   requireKnownPlanner(params.planner);
+  requireNarrowSpeed(params.planning.prior);
   requireDrives(params.planner, params.planning.model.vehicle);
   validate(params.planning);
   requirePositive("search_time", params.search_time);

@@ -2,7 +2,6 @@
 #include "pomdp_crowd_nav/ros/navigation_display.h"
 
 #include <pthread.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <utility>
@@ -15,8 +14,7 @@
 namespace pomdp_crowd_nav {
 namespace {
 
-constexpr double kPeriod = 0.125;  // [s], within which a new tree or planner is drawn
-constexpr int kNiceness = 10;
+constexpr double kPeriod = 0.125;          // [s], within which a new tree or planner is drawn
 constexpr int kTicksPerPicture = 2;        // of people and robot: 4 Hz
 constexpr double kLettersPerField = 45.0;  // letters as high as this, side by side over its width
 constexpr int kMaxTreeEdges = 4000;        // 8000 points
@@ -55,11 +53,17 @@ NavigationDisplay::~NavigationDisplay() {
   thread_.join();
 }
 
-// Behind decisions and commands where the processor is short.
+// No less important than other threads: it holds locks for which these wait. A picture that cannot
+// be drawn must not end the node.
 void NavigationDisplay::run() {
   pthread_setname_np(pthread_self(), "display");
-  setpriority(PRIO_PROCESS, 0, kNiceness);  // on Linux: of this thread
-  while (!stop_) queue_.callAvailable(ros::WallDuration(kPeriod));
+  while (!stop_) {
+    try {
+      queue_.callAvailable(ros::WallDuration(kPeriod));
+    } catch (const std::exception& error) {
+      ROS_WARN_THROTTLE(10.0, "a picture could not be drawn: %s", error.what());
+    }
+  }
 }
 
 void NavigationDisplay::advertise(ros::NodeHandle& node) {

@@ -106,12 +106,12 @@ MarkerArray roadmapMarkers(const RoadmapPrior& prior, double symbol_size,
   for (const Roadmap::Edge& edge : roadmap.edges()) {
     if (isOnShortestWay(edge, distances)) addLine(places[edge.from], places[edge.to], green, ways);
   }
-  Marker& vertices = builder.beginList("milestones", Marker::POINTS, 0.5 * symbol_size, 0.025);
   for (size_t i = 0; i < places.size(); ++i) {
     const bool is_joined = (places[i] - prior.goal()).norm() > distances[i] - 1e-6;
     if (is_joined) addLine(places[i], prior.goal(), green, ways);
-    addPoint(places[i], color(0.15, 0.20, 0.30), vertices);
   }
+  Marker& vertices = builder.beginList("milestones", Marker::POINTS, 0.5 * symbol_size, 0.025);
+  for (const Point& place : places) addPoint(place, color(0.15, 0.20, 0.30), vertices);
   return builder.take();
 }
 

@@ -228,6 +228,28 @@ TEST_F(GuardedDrive, WhoeverOneOfTwoSourcesReportsCounts) {
   EXPECT_EQ(output_.person, 7);
 }
 
+// Nobody knows where that person is now.
+TEST_F(GuardedDrive, ASourceThatGoesSilentWithSomebodyInViewIsMissedForAWhile) {
+  TrackList somebody;
+  somebody.tracks = {{7, {-50.0, 0.0}, {0.0, 0.0}}};  // far off
+  driveAtFullSpeed();
+  guard_.takePeople(somebody, now_, 1);
+  expectRest(1.0 + 1.0 + 0.2, GuardCause::kNoPeople);
+  run(11.0);
+  EXPECT_GT(base_.velocity().norm(), 0.9);
+}
+
+TEST_F(GuardedDrive, PeopleOfLongAgoDoNotReplaceNewerOnes) {
+  people_.tracks = {{7, {9.0, 2.2}, {0.0, 0.0}}};
+  driveAtFullSpeed();
+  for (int i = 0; i < 60; ++i) {
+    guard_.takePeople(TrackList(), now_ - 2.0);
+    run(0.1);
+  }
+  EXPECT_EQ(output_.cause, GuardCause::kPerson);
+  EXPECT_EQ(base_.velocity().norm(), 0.0);
+}
+
 TEST_F(GuardedDrive, SomebodyTooFastToBeTrueStandsInTheWay) {
   driveAtFullSpeed();
   people_.tracks = {{7, base_.pose().position + Point(3.0, 0.0), {0.0, 1e6}}};
@@ -313,6 +335,27 @@ TEST_F(GuardedDrive, ANewGuardBesideADeadPlannerBrakesTheBase) {
   expectRest(0.25 + 1.0 + 0.1, GuardCause::kNoCommand);
   run(0.5);
   EXPECT_FALSE(output_.command) << "then it is silent";
+}
+
+// Such a base does not obey, so somebody else drives it.
+TEST_F(GuardedDrive, ANewGuardGivesABaseUpThatGoesOnAgainstItsZeros) {
+  guard_ = VelocityGuard(params(), movo());
+  int last_command = 0;
+  for (int i = 0; i < 300; ++i, now_ += 0.02) {
+    guard_.takeMotion({{0.01 * i, 0.0}, 0.0}, {{0.5, 0.0}, 0.0}, now_);
+    if (guard_.tick(now_).command) last_command = i;
+  }
+  EXPECT_GT(last_command * 0.02, 0.25 + 0.5);
+  EXPECT_LT(last_command * 0.02, 0.25 + 0.5 + 1.0 + 0.2);
+}
+
+TEST_F(GuardedDrive, OdometryThatBeginsLongAfterTheGuardShowsABaseOfSomebodyElse) {
+  guard_ = VelocityGuard(params(), movo());
+  for (int i = 0; i < 300; ++i, now_ += 0.02) guard_.tick(now_);
+  for (int i = 0; i < 100; ++i, now_ += 0.02) {
+    guard_.takeMotion({{0.01 * i, 0.0}, 0.0}, {{0.5, 0.0}, 0.0}, now_);
+    ASSERT_FALSE(guard_.tick(now_).command);
+  }
 }
 
 // Somebody else drives it, by hand.

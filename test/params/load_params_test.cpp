@@ -307,5 +307,11 @@ TEST(LoadParams, AValueOutOfRangeIsRefused) {
             "model/beyond_horizon must be 'nothing' or 'free_drive', got 'heaven'");
 }
 
+TEST(LoadParams, NarrowWaysAreNoSlowerThanBlockedOnes) {
+  EXPECT_EQ(messageFor("prior: {blocked_speed: 0.2, narrow_speed: 0.1}"),
+            "prior/narrow_speed must be between prior/blocked_speed (0.2) and 1, got 0.1");
+  EXPECT_EQ(messageFor("prior: {blocked_speed: 0.2, narrow_speed: 0.2}"), "accepted");
+}
+
 }  // namespace
 }  // namespace pomdp_crowd_nav

@@ -75,11 +75,12 @@ class RecordTest(unittest.TestCase):
         return (self.folder / "roslaunch.log").read_text()
 
     def record(self, seconds, *arguments):
-        """{topic: number of messages} of the bag, `seconds` after the recorder has begun."""
+        """{topic: number of messages} of the bag, `seconds` after recorder and trip have begun."""
         process = self.launch(*arguments)
-        end = time.monotonic() + 60.0
-        while not self.bags(".active") and time.monotonic() < end:
+        end = time.monotonic() + 90.0
+        while not (self.bags(".active") and "new goal" in self.said()):
             self.assertIsNone(process.poll(), self.said())
+            self.assertLess(time.monotonic(), end, self.said())
             time.sleep(0.1)
         time.sleep(seconds)
         process.send_signal(signal.SIGINT)

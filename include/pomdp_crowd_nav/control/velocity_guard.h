@@ -46,7 +46,8 @@ class VelocityGuard {
     double people_timeout = 1.0;    // [s], older tracks brake the base
   };
 
-  // Of people; whoever one of them reports counts, and all must be silent to count as silent.
+  // Of people; whoever one of them reports counts. One is enough, but one that goes silent while it
+  // reports somebody is missed for 10 s.
   static constexpr size_t kSources = 2;
 
   VelocityGuard(const Params& params, const VehicleParams& vehicle);
@@ -87,6 +88,7 @@ class VelocityGuard {
   GuardCause whyNoCommand(double now) const;
   GuardCause missingInput(double now) const;
   double peopleAt() const;
+  bool hasLostPeople(double now) const;
   std::vector<Track> peopleOf(double now) const;
   bool mustTakeOver(double now);
   std::optional<std::int64_t> personInTheWay(double now);
@@ -116,6 +118,7 @@ class VelocityGuard {
   GuardCause bad_people_ = GuardCause::kPeopleRefused;
   double clock_jump_at_ = -1.0;
 
+  double first_tick_ = -1.0;
   double last_tick_ = -1.0;
   double blocked_at_ = -1.0;
   std::int64_t blocking_person_ = -1;

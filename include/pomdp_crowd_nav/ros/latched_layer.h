@@ -11,39 +11,35 @@
 
 namespace pomdp_crowd_nav {
 
-// A latched topic whose message is dear: it is made when somebody subscribes, and made anew when
-// what it shows has changed while somebody does. `make` runs in the thread of the callback queue,
-// and so must `renew`.
+// A latched topic whose message is dear: it is made when somebody first subscribes, and from then
+// on made anew when what it shows has changed. `make` runs in the thread of the callback queue, and
+// so must `renew`.
 template <class Message>
 class LatchedLayer {
  public:
   // None where there is nothing to show yet.
   using Make = std::function<std::optional<Message>()>;
 
-  LatchedLayer(const ros::NodeHandle& node, std::string topic, ros::CallbackQueue& queue, Make make)
-      : node_(node), topic_(std::move(topic)), queue_(queue), make_(std::move(make)) {
-    advertise();
+  LatchedLayer(const ros::NodeHandle& node, const std::string& topic, ros::CallbackQueue& queue,
+               Make make)
+      : make_(std::move(make)) {
+    ros::AdvertiseOptions options;
+    options.init<Message>(topic, 1, [this](const ros::SingleSubscriberPublisher&) {
+      if (!is_sent_) send();
+    });
+    options.callback_queue = &queue;
+    options.latch = true;
+    publisher_ = ros::NodeHandle(node).advertise(options);
   }
 
-  // What it shows has changed.
+  // What it shows has changed. It is made once more even if nobody listens, where somebody did: who
+  // comes next gets what was published last. (To advertise anew would ask the master, for which all
+  // publishers of the node would wait.)
   void renew() {
-    const bool was_sent = std::exchange(is_sent_, false);
-    if (publisher_.getNumSubscribers() > 0) return send();
-    if (was_sent) advertise();  // else who comes next would get the old one
+    if (is_sent_ || publisher_.getNumSubscribers() > 0) send();
   }
 
  private:
-  void advertise() {
-    ros::AdvertiseOptions options;
-    options.init<Message>(topic_, 1, [this](const ros::SingleSubscriberPublisher&) {
-      if (!is_sent_) send();
-    });
-    options.callback_queue = &queue_;
-    options.latch = true;
-    publisher_.shutdown();
-    publisher_ = node_.advertise(options);
-  }
-
   void send() {
     const std::optional<Message> message = make_();
     if (!message) return;
@@ -51,9 +47,6 @@ class LatchedLayer {
     is_sent_ = true;
   }
 
-  ros::NodeHandle node_;
-  std::string topic_;
-  ros::CallbackQueue& queue_;
   Make make_;
   bool is_sent_ = false;
   ros::Publisher publisher_;
