@@ -4,6 +4,7 @@
 #include <QVBoxLayout>
 #include <pluginlib/class_list_macros.hpp>
 
+#include "pomdp_crowd_nav/rviz_panel/name_fields.h"
 #include "pomdp_crowd_nav/rviz_panel/panel_view.h"
 
 namespace pomdp_crowd_nav {
@@ -60,7 +61,7 @@ void NavigationPanel::load(const rviz::Config& config) {
   names.space = textIn(config, "Namespace", present.space);
   names.planner_node = textIn(config, "Planner Node", present.planner_node);
   names.sim_node = textIn(config, "Simulator Node", present.sim_node);
-  view_->setNames(names);
+  view_->names().setNames(names);
   session_.setNames(names);
   ResetRequest request;
   int seed = static_cast<int>(request.seed);

@@ -6,14 +6,13 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
-#include <QToolButton>
 #include <QVBoxLayout>
 #include <QWheelEvent>
 #include <utility>
 
+#include "pomdp_crowd_nav/rviz_panel/name_fields.h"
 #include "pomdp_crowd_nav/rviz_panel/sparkline.h"
 
 namespace pomdp_crowd_nav {
@@ -91,7 +90,8 @@ PanelView::PanelView(Actions actions, QWidget* parent)
   all->addLayout(makeSimulation());
   message_ = makeText("message_label");
   all->addWidget(message_);
-  all->addLayout(makeNames());
+  names_ = new NameFields(actions_.rename);
+  all->addWidget(names_);
   all->addStretch(1);
 }
 
@@ -155,41 +155,6 @@ QLayout* PanelView::makeSimulation() {
   return row;
 }
 
-QLayout* PanelView::makeNames() {
-  auto* rows = new QVBoxLayout;
-  auto* fold = new QToolButton;
-  fold->setObjectName("names_button");
-  fold->setText("Nodes");
-  fold->setCheckable(true);
-  fold->setAutoRaise(true);
-  fold->setArrowType(Qt::RightArrow);
-  fold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  rows->addWidget(fold);
-  auto* fields = new QWidget;
-  auto* form = makeForm();
-  form->setContentsMargins(0, 0, 0, 0);
-  const auto add = [&](const char* title, const char* name) {
-    auto* field = new QLineEdit;
-    field->setObjectName(name);
-    QObject::connect(field, &QLineEdit::editingFinished, this,
-                     [this] { actions_.rename(names()); });
-    form->addRow(title, field);
-    return field;
-  };
-  space_ = add("Namespace", "namespace_field");
-  planner_node_ = add("Planner", "planner_node_field");
-  sim_node_ = add("Simulator", "sim_node_field");
-  setNames({});
-  fields->setLayout(form);
-  fields->setVisible(false);
-  QObject::connect(fold, &QToolButton::toggled, fields, [fold, fields](bool is_open) {
-    fold->setArrowType(is_open ? Qt::DownArrow : Qt::RightArrow);
-    fields->setVisible(is_open);
-  });
-  rows->addWidget(fields);
-  return rows;
-}
-
 void PanelView::show(const PanelPicture& picture) {
   showTexts(picture.texts);
   showControl(planner_, picture.controls.planner);
@@ -242,20 +207,6 @@ ResetRequest PanelView::resetRequest() const {
 void PanelView::setResetRequest(const ResetRequest& request) {
   people_->setValue(request.pedestrians);
   seed_->setValue(static_cast<int>(request.seed));
-}
-
-PanelNames PanelView::names() const {
-  PanelNames names;
-  names.space = space_->text().trimmed().toStdString();
-  names.planner_node = planner_node_->text().trimmed().toStdString();
-  names.sim_node = sim_node_->text().trimmed().toStdString();
-  return names;
-}
-
-void PanelView::setNames(const PanelNames& names) {
-  space_->setText(QString::fromStdString(names.space));
-  planner_node_->setText(QString::fromStdString(names.planner_node));
-  sim_node_->setText(QString::fromStdString(names.sim_node));
 }
 
 }  // namespace pomdp_crowd_nav

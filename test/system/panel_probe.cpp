@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The panel without its widgets, for panel_master_test.py: prints what it shows whenever that
-// changes, and chooses the planners that it reads from standard input.
+// The panel without its widgets, for panel_nodes_test.py: prints what it shows whenever that
+// changes, and presses the buttons and chooses the planners that it reads from standard input.
 #include <ros/ros.h>
 
 #include <chrono>
@@ -26,10 +26,19 @@ void readWords(Words& words) {
   }
 }
 
+void press(PanelSession& session, const std::string& word) {
+  if (word == "start") return session.start();
+  if (word == "pause") return session.pause();
+  if (word == "stop") return session.stop();
+  if (word == "reset") return session.reset({8, 5});
+  session.choosePlanner(word);
+}
+
 void show(const PanelPicture& picture, std::string& shown) {
   const std::string state = picture.texts.state;
   const std::string line = (state.rfind("silent", 0) == 0 ? "silent" : state) + " | " +
-                           picture.planner + " | " + picture.message;
+                           picture.planner + " | " + picture.message +
+                           (picture.controls.reset.is_enabled ? " | reset is possible" : "");
   if (line != shown) std::cout << line << std::endl;
   shown = line;
 }
@@ -51,10 +60,10 @@ int main(int argc, char** argv) {
     show(session.picture(), shown);
     for (const std::string& word :
          words.with([](auto& list) { return std::exchange(list, std::vector<std::string>()); })) {
-      session.choosePlanner(word);
+      press(session, word);
     }
     const auto duration = std::chrono::steady_clock::now() - begin;
-    if (duration > std::chrono::seconds(1)) std::cout << "was made to wait" << std::endl;
+    if (duration > std::chrono::seconds(2)) std::cout << "was made to wait" << std::endl;
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
   return 0;

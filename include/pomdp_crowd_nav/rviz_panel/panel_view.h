@@ -12,12 +12,12 @@ class QComboBox;
 class QFormLayout;
 class QLabel;
 class QLayout;
-class QLineEdit;
 class QPushButton;
 class QSpinBox;
 
 namespace pomdp_crowd_nav {
 
+class NameFields;
 class Sparkline;
 
 // The widgets of the panel, and no more. Each has an object name, by which tests find it.
@@ -37,14 +37,12 @@ class PanelView : public QWidget {
 
   ResetRequest resetRequest() const;
   void setResetRequest(const ResetRequest& request);
-  PanelNames names() const;
-  void setNames(const PanelNames& names);
+  NameFields& names() { return *names_; }
 
  private:
   QLayout* makeDriving();
   QLayout* makeSimulation();
   QLayout* makeStatus();
-  QLayout* makeNames();
   QLabel* addRow(QFormLayout* rows, const char* title, const char* name);
   void showPlanners(const PanelPicture& picture);
   void showTexts(const StatusTexts& texts);
@@ -56,7 +54,7 @@ class PanelView : public QWidget {
   QLabel *state_ = nullptr, *cause_ = nullptr, *message_ = nullptr;
   std::vector<std::pair<QLabel*, std::string StatusTexts::*>> rows_;
   Sparkline* sparkline_ = nullptr;
-  QLineEdit *space_ = nullptr, *planner_node_ = nullptr, *sim_node_ = nullptr;
+  NameFields* names_ = nullptr;
 };
 
 }  // namespace pomdp_crowd_nav

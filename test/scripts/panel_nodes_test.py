@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The panel outlives nodes and their master: panel_master_test.py FOLDER_OF_NODES
+"""The panel with real nodes, which die, and whose master dies: panel_nodes_test.py FOLDER_OF_NODES
 
-Kills, stops and starts planner_node and the master, and reads what panel_probe shows. Exit status 1
-when it does not see what happens, or waits for somebody.
+Reads what panel_probe, the panel without its widgets, shows. Exit status 1 when it does not see what
+happens, or waits for somebody.
 """
 import os
 import pathlib
@@ -38,7 +38,7 @@ def end(process, how=signal.SIGKILL):
 
 
 class Stage:
-    """A master and a planner."""
+    """A master, a planner and a simulator."""
 
     def __init__(self, folder):
         self.folder = folder
@@ -49,18 +49,22 @@ class Stage:
         os.environ.pop("ROS_HOSTNAME", None)
 
     def start_master(self):
-        program = shutil.which("rosmaster") or sys.exit("panel_master_test.py: no rosmaster")
+        program = shutil.which("rosmaster") or sys.exit("panel_nodes_test.py: no rosmaster")
         self.master = start(program, "--core", "-p", str(self.port), stdout=subprocess.DEVNULL)
-        handle = rosgraph.Master("/panel_master_test")
+        handle = rosgraph.Master("/panel_nodes_test")
         give_up = time.monotonic() + PATIENCE
         while not handle.is_online():
             if time.monotonic() > give_up:
-                sys.exit("panel_master_test.py: the master did not come")
+                sys.exit("panel_nodes_test.py: the master did not come")
             time.sleep(0.1)
         handle.setParam("/planner_node", {**PROFILE, "world_file": WORLD})
+        handle.setParam("/sim_node", {**PROFILE, "world_file": WORLD, "pedestrians": 5})
 
     def start_planner(self):
         self.planner = start(str(self.folder / "planner_node"))
+
+    def start_simulator(self):
+        start(str(self.folder / "sim_node"), "current_goal:=planner_node/current_goal")
 
 
 class Panel:
@@ -76,8 +80,8 @@ class Panel:
             print(f"{time.monotonic():.1f} {line}", end="", flush=True)
             self.lines.put(line)
 
-    def choose(self, planner):
-        self.process.stdin.write(planner + "\n")
+    def press(self, word):
+        self.process.stdin.write(word + "\n")
         self.process.stdin.flush()
 
     def expect(self, *alternatives):
@@ -88,10 +92,26 @@ class Panel:
             except queue.Empty:
                 continue
             if "was made to wait" in line:
-                sys.exit("panel_master_test.py: the panel was made to wait")
+                sys.exit("panel_nodes_test.py: the panel was made to wait")
             if any(what in line for what in alternatives):
                 return
-        sys.exit(f"panel_master_test.py: the panel did not show {' or '.join(alternatives)}")
+        sys.exit(f"panel_nodes_test.py: the panel did not show {' or '.join(alternatives)}")
+
+
+def drive(stage, panel):
+    stage.start_simulator()
+    panel.expect("reset is possible")
+    panel.press("start")
+    panel.expect("goal (100.0, 75.0) sent")
+    panel.expect("DRIVING")
+    panel.press("pause")
+    panel.expect("PAUSED | 2d_fmm | paused")
+    panel.press("start")
+    panel.expect("DRIVING | 2d_fmm | resumed")
+    panel.press("reset")
+    panel.expect("reset: simulating scenario_1")
+    panel.press("stop")
+    panel.expect("IDLE")
 
 
 def main():
@@ -102,6 +122,15 @@ def main():
     panel.expect("no planner_node")
     stage.start_planner()
     panel.expect("IDLE | 2d_fmm")
+
+    panel.press("2d_prm")
+    panel.expect("IDLE | 2d_prm | planner 2d_prm")
+    panel.press("2d_nhv")
+    panel.expect("keeps the planner 2d_prm")  # it is a car's
+    panel.press("2d_fmm")
+    panel.expect("IDLE | 2d_fmm | planner 2d_fmm")
+
+    drive(stage, panel)
 
     stage.planner.send_signal(signal.SIGSTOP)
     panel.expect("silent")
@@ -115,7 +144,7 @@ def main():
 
     print("the master dies")
     end(stage.master)
-    panel.choose("2d_prm")
+    panel.press("2d_prm")
     panel.expect("set_parameters does not answer")  # no master, no service
     end(stage.planner)
     panel.expect("no ROS master")
