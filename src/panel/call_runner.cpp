@@ -56,9 +56,14 @@ std::optional<CallResult> CallRunner::poll(double now) {
     return result;
   }
   if (is_given_up_ || now < give_up_) return std::nullopt;
+  giveUp();
+  return CallResult{false, call_.whom + " does not answer"};
+}
+
+void CallRunner::giveUp() {
+  if (!isBusy() || is_given_up_) return;
   is_given_up_ = true;
   if (call_.interrupt) call_.interrupt();
-  return CallResult{false, call_.whom + " does not answer"};
 }
 
 }  // namespace pomdp_crowd_nav

@@ -34,6 +34,7 @@ Control pauseControl(const ControlInputs& inputs) {
 }
 
 Control stopControl(const ControlInputs& inputs) {
+  if (inputs.is_busy) return enabled("give up what is asked for and the goal");
   if (!hasTrip(inputs)) return disabled("no trip is under way");
   if (*inputs.state == PlannerStatus::STOPPING) return disabled("the base comes to rest");
   return enabled("give up the goal; the base comes to rest");

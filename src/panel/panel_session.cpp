@@ -103,7 +103,12 @@ void PanelSession::start() {
                             is_resume = now.is_resume](InterruptibleCall& call) {
     const CallResult resumed = setPause(call, names, false);
     if (is_resume || !resumed.is_done) return resumed;
-    return sendGoal(*link, goal ? goal : goalOfWorld(names));
+    const auto destination = goal ? goal : goalOfWorld(names);
+    if (call.isInterrupted()) return CallResult{false, "given up"};
+    const CallResult sent = sendGoal(*link, destination);
+    if (call.isInterrupted())
+      link->cancelGoals();  // a stop in between may have come before the goal
+    return sent;
   });
 }
 
@@ -113,8 +118,10 @@ void PanelSession::pause() {
       [names = names_](InterruptibleCall& call) { return setPause(call, names, true); });
 }
 
+// A start that still waits for an answer must not begin a trip later.
 void PanelSession::stop() {
   if (!controls().stop.is_enabled) return;
+  calls_.giveUp();
   const auto link = connection_.link();
   const bool is_heard = link && link->cancelGoals();
   say({is_heard, is_heard ? "stop sent" : "nobody takes a stop"});

@@ -45,6 +45,11 @@ void InterruptibleCall::interrupt() {
   client_.shutdown();
 }
 
+bool InterruptibleCall::isInterrupted() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return is_interrupted_;
+}
+
 CallResult setPause(InterruptibleCall& call, const PanelNames& names, bool pause) {
   const std::string name = resolvedIn(names, names.planner_node) + "/pause";
   PauseService service;

@@ -3,6 +3,7 @@
 
 #include <ros/master.h>
 
+#include <thread>
 #include <utility>
 
 #include "pomdp_crowd_nav/ros/steady_time.h"
@@ -25,6 +26,10 @@ struct RobotConnection::Outcome {
 
 // To let go of a link takes as long as the master likes; the runner waits for a second.
 RobotConnection::~RobotConnection() {
+  if (runner_.isBusy()) {  // with a master that may hang: nobody waits for it
+    std::thread([link = std::exchange(link_, nullptr)] {}).detach();
+    return;
+  }
   runner_.start({kMaster, kPatience,
                  [link = std::exchange(link_, nullptr)] { return CallResult(); }, nullptr},
                 steadySeconds());

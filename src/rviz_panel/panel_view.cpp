@@ -48,6 +48,7 @@ QPushButton* makeButton(const char* title, const char* name, const std::function
   auto* button = new QPushButton(title);
   button->setObjectName(name);
   button->setMinimumWidth(40);
+  button->setFocusPolicy(Qt::NoFocus);  // no key starts a robot
   QObject::connect(button, &QPushButton::clicked, button, action);
   return button;
 }

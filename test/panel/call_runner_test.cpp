@@ -83,6 +83,22 @@ TEST(CallRunner, GivesUpInterruptsAndIsFreeAgain) {
   EXPECT_EQ(pollUntilThere(runner, 20.0)->text, "next");
 }
 
+TEST(CallRunner, WhatIsGivenUpIsInterruptedAndHasNoResult) {
+  CallRunner runner;
+  std::promise<void> interrupted;
+  runner.giveUp();  // nothing is under way
+  runner.start({"planner_node", 3.0,
+                [&] {
+                  interrupted.get_future().wait();
+                  return CallResult{true, "late"};
+                },
+                [&] { interrupted.set_value(); }},
+               0.0);
+  runner.giveUp();
+  runner.giveUp();
+  while (runner.isBusy()) EXPECT_FALSE(runner.poll(1.0));
+}
+
 TEST(CallRunner, AnExceptionIsATextToo) {
   CallRunner runner;
   runner.start({"node", 3.0, []() -> CallResult { throw std::runtime_error("no such file"); }, {}},

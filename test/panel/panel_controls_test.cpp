@@ -107,6 +107,13 @@ TEST(PanelControls, StopNeverWaitsForAnAnswer) {
   EXPECT_EQ(controls.start.tooltip, "a trip is under way") << "the reason that lasts";
 }
 
+TEST(PanelControls, AStartThatWaitsForAnAnswerCanBeStopped) {
+  ControlInputs inputs = inState(PlannerStatus::IDLE);
+  EXPECT_FALSE(controlsFor(inputs).stop.is_enabled);
+  inputs.is_busy = true;
+  EXPECT_TRUE(controlsFor(inputs).stop.is_enabled);
+}
+
 TEST(PlannersFor, AreThoseThatDriveTheVehicle) {
   EXPECT_TRUE(has(plannersFor("holonomic"), "2d_fmm"));
   EXPECT_FALSE(has(plannersFor("holonomic"), "2d_nhv"));

@@ -116,6 +116,19 @@ TEST_F(PanelTest, DoesNotWaitForAServiceThatHangs) {
   EXPECT_TRUE(rig_.waitForEnabled("pause_button"));
 }
 
+TEST_F(PanelTest, StopForestallsAStartThatStillWaits) {
+  fake_->showGoal(12.0, 34.0);
+  rig_.waitUntil(1.0, [] { return false; });
+  fake_->change([](FakePlanner::Asked& asked) { asked.answers_after = 2.0; });
+  rig_.click("start_button");
+  EXPECT_TRUE(waitForCall("resume"));
+  ASSERT_TRUE(rig_.waitForEnabled("stop_button"));
+  rig_.click("stop_button");
+  EXPECT_TRUE(waitForCall("cancel all"));
+  rig_.waitUntil(4.0, [] { return false; });
+  EXPECT_FALSE(fake_->wasAsked("goal map 12 34"));
+}
+
 TEST_F(PanelTest, MissesAPlannerThatGoesAndFindsTheNext) {
   fake_.reset();
   EXPECT_TRUE(rig_.waitForText("state_label", "no planner_node"));

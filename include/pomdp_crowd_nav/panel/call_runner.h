@@ -36,6 +36,9 @@ class CallRunner {
 
   bool isBusy() const { return thread_.joinable(); }
 
+  // Interrupts what is under way; its result is dropped.
+  void giveUp();
+
   // The result, once, when it is there or the time is over.
   std::optional<CallResult> poll(double now);
 

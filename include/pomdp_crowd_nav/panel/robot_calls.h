@@ -22,9 +22,10 @@ class InterruptibleCall {
   bool call(const std::string& name, Service& service);
 
   void interrupt();
+  bool isInterrupted() const;
 
  private:
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   ros::ServiceClient client_;
   bool is_interrupted_ = false;
 };
