@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "pomdp_crowd_nav/ros/people_choice.h"
-
 namespace pomdp_crowd_nav {
 namespace {
 
@@ -63,18 +61,6 @@ TEST(TrackFilter, TheFirstOnesStayWhileTheRobotsPlaceIsNotKnown) {
   range.max_people = 2;
   EXPECT_EQ(filterTracks(range, std::nullopt, list).surplus, 1u);
   EXPECT_EQ(list.tracks[1].id, 2);
-}
-
-TEST(PeopleChoice, KeepsToTheFirstTopicWhileItSpeaks) {
-  using Answer = PeopleChoice::Answer;
-  PeopleChoice choice(1.0);
-  EXPECT_EQ(choice.hear(1, 10.0), Answer::kUseAfresh);
-  EXPECT_EQ(choice.hear(0, 10.1), Answer::kIgnore);
-  EXPECT_EQ(choice.hear(1, 10.2), Answer::kUse);
-  EXPECT_EQ(choice.hear(0, 11.1), Answer::kIgnore);
-  EXPECT_EQ(choice.hear(0, 11.3), Answer::kUseAfresh);
-  EXPECT_EQ(choice.hear(1, 11.4), Answer::kIgnore);
-  EXPECT_EQ(choice.hear(0, 15.0), Answer::kUse);
 }
 
 }  // namespace
