@@ -144,5 +144,6 @@ TEST(Movo, DrivesOnTheTopicsOfTheRobot) {
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   ros::init(argc, argv, "movo_rostest");
+  const ros::NodeHandle node;  // without one ros::ok() does not hold
   return RUN_ALL_TESTS();
 }
