@@ -133,12 +133,12 @@ class PageTest(unittest.TestCase):
         cls.overlay = Overlay(package, cls.page)
         cls.environment = surroundings.environment_of(INPUTS["devel"],
                                                       pathlib.Path(folder.name) / "log")
-        cls.library = None
+        cls.preloaded = None
 
     def run_there(self, command, timeout=200.0, preload=True):
         environment = dict(self.environment)
         if preload:
-            environment["LD_PRELOAD"] = str(self.library)
+            environment["LD_PRELOAD"] = str(self.preloaded)
         result = surroundings.run(command, timeout, cwd=self.overlay.folder, env=environment)
         self.assertEqual(result.returncode, 0, f"{command}: {result.stdout}{result.stderr}")
         return result.stdout
@@ -158,7 +158,7 @@ class RecipesTest(PageTest):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        cls.library = cls.overlay.build()
+        cls.preloaded = cls.overlay.build()
 
     def test_every_command_is_looked_at(self):
         known = ("run_experiments", "demo.sh", "roslaunch", "cmake", "list_parameters.py", "export",
