@@ -13,7 +13,6 @@ option or nodes that do not start.
 import argparse
 import os
 import pathlib
-import signal
 import sys
 import time
 
@@ -23,7 +22,6 @@ from soak_harness import environment  # noqa: E402
 
 PRIORITY = -10        # niceness of this listener, where it may have it
 WARM_UP = 10.0        # [s]
-START_TIMEOUT = 120.0  # [s]
 
 
 def say(text):
@@ -58,43 +56,21 @@ def hurry():
 
 class Measurement:
     def __init__(self, options, folder):
-        from soak_harness.stack import Stack
-        self.options = options
-        arguments = {"world": options.world, "pedestrians": options.people,
-                     "profile": options.profile, "seed": options.seed, "rviz": "false",
-                     "send_goal": "false"}
-        self.folder = folder
-        self.stack = Stack(folder, arguments, with_relay=False)
+        from soak_harness.undisturbed import UndisturbedDrive
+        self.options, self.folder = options, folder
+        self.drive = UndisturbedDrive(options, folder)
 
     def start(self):
-        import rospkg
         import rospy
-        from soak_harness.outputs import CommandWatch, StatusWatch
-        from soak_harness.stack import PACKAGE, PLANNER
-        from soak_harness.trips import Trips, World
-        from soak_harness.truth import Truth
-        self.stack.start()
-        rospy.init_node("measure_jitter", disable_signals=True)
-        share = rospkg.RosPack().get_path(PACKAGE)
-        world = World(f"{share}/config/worlds/{self.options.world}.yaml", self.options.seed)
-        self.status, truth = StatusWatch(), Truth(world.start)
-        self.trips = Trips(world, truth, self.status)
-        end = time.monotonic() + START_TIMEOUT
-        while not (self.status.is_alive() and truth.metrics):
-            if time.monotonic() > end or not self.stack.is_running():
-                raise RuntimeError(f"the nodes do not answer; their logs are in {self.folder}/log")
-            time.sleep(0.2)
+        from soak_harness.outputs import CommandWatch
+        from soak_harness.stack import PLANNER
+        self.drive.start("measure_jitter")
+        self.status = self.drive.status
         self.commands = CommandWatch(rospy.get_param(f"/{PLANNER}/max_vel_trans", 1.0),
                                      rospy.get_param(f"/{PLANNER}/max_vel_theta", 1.0))
         self.status.on_idle = self.commands.interrupt
-        self.trips.send()
-        self._drive(WARM_UP)
-
-    def _drive(self, seconds):
-        end = time.monotonic() + seconds
-        while time.monotonic() < end and self.stack.is_running():
-            self.trips.look()
-            time.sleep(0.1)
+        self.drive.trips.send()
+        self.drive.spend(WARM_UP)
 
     def measure(self, name):
         """A row of the table."""
@@ -102,8 +78,8 @@ class Measurement:
         begin = (len(self.commands.periods), len(self.status.cycle_times),
                  self.status.deadline_misses)
         say(f"{name}, {self.options.minutes:g} min…")
-        self._drive(60.0 * self.options.minutes)
-        if not self.stack.is_running():
+        self.drive.spend(60.0 * self.options.minutes)
+        if not self.drive.stack.is_running():
             raise RuntimeError(f"sim_node has ended; the logs are in {self.folder}/log")
         period = summary(self.commands.periods[begin[0]:])
         times = summary(self.status.cycle_times[begin[1]:])
@@ -133,25 +109,14 @@ def run(measurement, has_priority):
     print("\n".join(rows), file=output)
 
 
-def interrupt(*_):
-    raise KeyboardInterrupt
-
-
-def main():
-    parser, options = parse()
-    folder = environment.enter(parser, options).resolve()
-    signal.signal(signal.SIGTERM, interrupt)
+def work(options, folder):
     measurement = Measurement(options, folder)
     try:
         measurement.start()
         run(measurement, hurry())
-        return 0
-    except (RuntimeError, KeyboardInterrupt) as error:
-        say(str(error) or "interrupted")
-        return 2
     finally:
-        measurement.stack.stop()
+        measurement.drive.stop()
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(environment.run(parse, work, say))

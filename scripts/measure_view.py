@@ -12,7 +12,6 @@ bad option or nodes that do not start.
 import argparse
 import os
 import pathlib
-import signal
 import subprocess
 import sys
 import time
@@ -21,7 +20,6 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 # pylint: disable=wrong-import-position,import-outside-toplevel
 from soak_harness import environment  # noqa: E402
 
-START_TIMEOUT = 120.0  # [s]
 SETTLE = 4.0           # [s], until a change shows
 PICTURES = ("belief_markers", "robot_markers", "search_tree", "arrival_time", "roadmap")
 LISTENER = """
@@ -64,75 +62,42 @@ def seconds_of(pid):
 
 class Measurement:
     def __init__(self, options, folder):
-        from soak_harness.stack import Stack
-        self.options = options
-        self.folder = folder
-        self.stack = Stack(folder, {
-            "world": options.world, "pedestrians": options.people, "profile": options.profile,
-            "seed": options.seed, "rviz": "false", "send_goal": "false"}, with_relay=False)
-
-    def start(self):
-        import rospkg
-        import rospy
-        from soak_harness.outputs import StatusWatch
-        from soak_harness.stack import PACKAGE
-        from soak_harness.trips import Trips, World
-        from soak_harness.truth import Truth
-        self.stack.start()
-        rospy.init_node("measure_view", disable_signals=True)
-        share = rospkg.RosPack().get_path(PACKAGE)
-        world = World(f"{share}/config/worlds/{self.options.world}.yaml", self.options.seed)
-        self.status, truth = StatusWatch(), Truth(world.start)
-        self.trips = Trips(world, truth, self.status)
-        end = time.monotonic() + START_TIMEOUT
-        while not (self.status.is_alive() and truth.metrics):
-            if time.monotonic() > end or not self.stack.is_running():
-                raise RuntimeError(f"the nodes do not answer; their logs are in {self.folder}/log")
-            time.sleep(0.2)
-
-    def _spend(self, seconds, is_driving):
-        end = time.monotonic() + seconds
-        while time.monotonic() < end and self.stack.is_running():
-            if is_driving:
-                self.trips.look()
-            time.sleep(0.1)
+        from soak_harness.undisturbed import UndisturbedDrive
+        self.options, self.folder = options, folder
+        self.drive = UndisturbedDrive(options, folder)
 
     def measure(self, name, is_driving):
         """A row of the table."""
         from soak_harness.stack import PLANNER
         say(f"{name}, {self.options.seconds:g} s…")
-        self._spend(SETTLE, is_driving)
-        pid = self.stack.pids().get(PLANNER)
+        self.drive.spend(SETTLE, is_driving)
+        pid = self.drive.stack.pids().get(PLANNER)
         if not pid:
             raise RuntimeError(f"planner_node has ended; the logs are in {self.folder}/log")
         before, begin = seconds_of(pid), time.monotonic()
-        self._spend(self.options.seconds, is_driving)
+        self.drive.spend(self.options.seconds, is_driving)
         duration = time.monotonic() - begin
         shares = [100.0 * (b - a) / duration for a, b in zip(before, seconds_of(pid))]
         return f"| {name} | {shares[0]:.1f} | {shares[1]:.1f} |"
 
-    def look(self):
+    def measure_seen(self, name, is_driving):
+        """The same while somebody looks at every picture."""
         from soak_harness.stack import PLANNER
-        return subprocess.Popen([sys.executable, "-c", LISTENER]
-                                + [f"/{PLANNER}/{topic}" for topic in PICTURES])
+        listener = subprocess.Popen([sys.executable, "-c", LISTENER]
+                                    + [f"/{PLANNER}/{topic}" for topic in PICTURES])
+        try:
+            return self.measure(name, is_driving)
+        finally:
+            listener.terminate()
+            listener.wait()
 
 
 def run(measurement):
-    rows = [measurement.measure("idle, nobody looks", False)]
-    listener = measurement.look()
-    try:
-        rows.append(measurement.measure("idle, all layers", False))
-    finally:
-        listener.terminate()
-        listener.wait()
-    measurement.trips.send()
-    rows.append(measurement.measure("driving, nobody looks", True))
-    listener = measurement.look()
-    try:
-        rows.append(measurement.measure("driving, all layers", True))
-    finally:
-        listener.terminate()
-        listener.wait()
+    rows = [measurement.measure("idle, nobody looks", False),
+            measurement.measure_seen("idle, all layers", False)]
+    measurement.drive.trips.send()
+    rows += [measurement.measure("driving, nobody looks", True),
+             measurement.measure_seen("driving, all layers", True)]
     options, output = measurement.options, sys.__stdout__
     print(f"{options.world}, {options.people} people, profile {options.profile}, "
           f"{options.seconds:g} s each:\n", file=output)
@@ -141,25 +106,14 @@ def run(measurement):
     print("\n".join(rows), file=output)
 
 
-def interrupt(*_):
-    raise KeyboardInterrupt
-
-
-def main():
-    parser, options = parse()
-    folder = environment.enter(parser, options).resolve()
-    signal.signal(signal.SIGTERM, interrupt)
+def work(options, folder):
     measurement = Measurement(options, folder)
     try:
-        measurement.start()
+        measurement.drive.start("measure_view")
         run(measurement)
-        return 0
-    except (RuntimeError, KeyboardInterrupt) as error:
-        say(str(error) or "interrupted")
-        return 2
     finally:
-        measurement.stack.stop()
+        measurement.drive.stop()
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(environment.run(parse, work, say))

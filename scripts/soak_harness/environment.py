@@ -5,9 +5,12 @@ import difflib
 import importlib.util
 import os
 import pathlib
+import signal
 import socket
 import subprocess
 import sys
+
+from command_line.options import number
 
 MARK = "PCN_SOAK_ENVIRONMENT"  # set in the environment that has been prepared
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
@@ -19,21 +22,6 @@ class Parser(argparse.ArgumentParser):
     def error(self, message):
         print(f"{self.prog}: {message}", file=sys.stderr)
         sys.exit(2)
-
-
-def number(lowest, highest, kind=float):
-    """A type for options: a number within limits."""
-    def parse(text):
-        try:
-            value = kind(text)
-        except ValueError:
-            value = None
-        if value is None or not lowest <= value <= highest:
-            word = "whole number" if kind is int else "number"
-            raise argparse.ArgumentTypeError(
-                f"expected a {word} from {lowest:g} to {highest:g}, got '{text}'")
-        return value
-    return parse
 
 
 def named_in(folder):
@@ -119,3 +107,21 @@ def enter(parser, options):
     python = sys.executable if importlib.util.find_spec("rospkg") else "/usr/bin/python3"
     arguments = [python, *sys.argv]
     os.execvpe(arguments[0], arguments, environment)
+
+
+def _interrupt(*_):
+    raise KeyboardInterrupt
+
+
+def run(parse, work, say):
+    """`work(options, folder)` in an environment of its own, with its exit status: 2 when the nodes do not
+    start or it is interrupted. `parse` returns the parser and the options."""
+    parser, options = parse()
+    folder = enter(parser, options).resolve()
+    signal.signal(signal.SIGTERM, _interrupt)
+    try:
+        work(options, folder)
+        return 0
+    except (RuntimeError, KeyboardInterrupt) as error:
+        say(str(error) or "interrupted")
+        return 2
