@@ -39,7 +39,7 @@ void viewTree(benchmark::State& state) {
   const StaticMap map = field(100.0);
   const auto planner = plannerOn(map, "2d_fmm");
   const auto now = SearchLimit::Clock::now();
-  planner->decide({VehicleState{Point(20.0, 25.0), 0.5, 1.0}, people(400)},
+  planner->decide({VehicleState{Point(50.0, 35.0), 0.5, 1.0}, people(400)},
                   SearchLimit::until(now + std::chrono::milliseconds(500)));
   const int depth = static_cast<int>(state.range(0));
   for (auto _ : state) benchmark::DoNotOptimize(planner->viewTree({kMaxEdges, depth}));
