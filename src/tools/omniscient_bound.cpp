@@ -46,8 +46,8 @@ void addOptions(CLI::App& app, Options& options) {
   app.add_option("--jobs", options.jobs, "Crowds at once; without it one on each core")
       ->check(wholeNumber(1, 256));
   app.add_option("--profile", options.profile,
-                 "Name in config/profiles, or a yaml file: the vehicle and its clearances; without "
-                 "it paper for the worlds scenario_*, street for the others");
+                 "Name in config/profiles, or a yaml file; without it paper for the worlds "
+                 "scenario_*, street for the others");
   app.add_option("--config", options.config, "Folder of worlds and profiles")
       ->capture_default_str();
   app.add_option("--tracks", options.tracks, "CSV of recorded people, who replace the worlds' own")

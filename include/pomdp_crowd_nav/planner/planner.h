@@ -87,8 +87,8 @@ struct TreeLimits {
 // What a planner knows of a map and a goal before it meets anybody. Immutable, thread-safe, and
 // outlives the planner.
 struct Guidance {
-  std::shared_ptr<const NavigationField> field;
-  std::shared_ptr<const RolloutPrior> prior;  // of which the field was made; null where not kept
+  std::shared_ptr<const NavigationField> field;  // null where there is none: RViz shows no layer
+  std::shared_ptr<const RolloutPrior> prior;     // of which it was made; null where not kept
 };
 
 // Chooses what the robot does in the next step. One planner serves one map and one goal.

@@ -36,5 +36,7 @@ class BadInputTest(FolderTest):
         name = f"/{node}_{self._testMethodName}"
         for key, value in params.items():
             master.setParam(f"{name}/{key}", value)
-        self.addCleanup(master.deleteParam, name)
-        self.expect_refusal(node, [f"__name:={name[1:]}"], *words)
+        try:
+            self.expect_refusal(node, [f"__name:={name[1:]}"], *words)
+        finally:
+            master.deleteParam(name)
