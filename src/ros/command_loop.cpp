@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace pomdp_crowd_nav {
 namespace {
@@ -170,9 +169,9 @@ BaseCommand CommandLoop::turnInPlace(double yaw_error) {
   return {Point(0.0, 0.0), last_yaw_rate_};
 }
 
-bool beginTrip(const Goal& goal, double now, Drive& drive, std::optional<Ending>& unfinished) {
+bool beginTrip(const Goal& goal, double now, Drive& drive) {
   if (drive.closing || goal.number < drive.last_goal) return false;
-  unfinished = std::exchange(drive.ending, std::nullopt);
+  drive.ending.reset();
   if (!drive.hasGoal()) {
     drive.prepared = false;
     drive.first_goal = goal.number;

@@ -123,6 +123,9 @@ TrackList toTracks(const People& people, const Pose& frame) {
   return list;
 }
 
+size_t countPeople(const TrackedPersons& persons) { return persons.tracks.size(); }
+size_t countPeople(const People& people) { return people.people.size(); }
+
 std::int64_t idOfName(const std::string& name) {
   if (const auto number = parseInteger(name); number && *number >= 0) return *number;
   std::uint64_t hash = 0xcbf29ce484222325ULL;

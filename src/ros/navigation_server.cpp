@@ -103,10 +103,7 @@ std::optional<Pose> NavigationServer::checkGoal(const geometry_msgs::PoseStamped
 
 void NavigationServer::startTrip(const Goal& goal) {
   const double now = steadySeconds();
-  std::optional<Ending> unfinished;
-  const bool begins =
-      drive_.with([&](Drive& drive) { return beginTrip(goal, now, drive, unfinished); });
-  if (unfinished) goals_.finish(*unfinished);
+  const bool begins = drive_.with([&](Drive& drive) { return beginTrip(goal, now, drive); });
   if (!begins) return goals_.finish({goal, Outcome::kFailed, kClosing, now});
   display_.showGoal(goal);
   ROS_INFO("new goal (%.2f, %.2f)", goal.pose.position.x(), goal.pose.position.y());

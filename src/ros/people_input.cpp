@@ -12,9 +12,6 @@ constexpr int kQueue = 1;     // only the newest message counts
 constexpr double kGap = 1.0;  // [s], a longer silence breaks the series
 constexpr size_t kTrackedPersons = 0, kPeople = 1;
 
-size_t countPeople(const TrackedPersons& message) { return message.tracks.size(); }
-size_t countPeople(const People& message) { return message.people.size(); }
-
 }  // namespace
 
 PeopleInput::PeopleInput(ros::NodeHandle& node, const PlannerNodeParams& params,

@@ -35,9 +35,6 @@ bool isOfTransform(MessageFault fault) {
          fault == MessageFault::kBadTransform;
 }
 
-size_t countPeople(const TrackedPersons& message) { return message.tracks.size(); }
-size_t countPeople(const People& message) { return message.people.size(); }
-
 std::uint8_t stateOf(const VelocityGuard::Output& output) {
   if (!output.command) return GuardStatus::IDLE;
   if (output.cause != GuardCause::kNone) return GuardStatus::STOPPING;

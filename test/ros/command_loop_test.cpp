@@ -192,8 +192,7 @@ TEST_F(CommandLoopTest, ReactionTimeThatIsChangedInFlightCountsForMapsToo) {
 }
 
 TEST_F(CommandLoopTest, ACancelThatComesLateEndsNoNewerTrip) {
-  std::optional<Ending> unfinished;
-  ASSERT_TRUE(beginTrip({2, Pose{Point(30.0, 0.0), 0.0}}, now_, drive_, unfinished));
+  ASSERT_TRUE(beginTrip({2, Pose{Point(30.0, 0.0), 0.0}}, now_, drive_));
   cancelTrip(1, now_, drive_);
   EXPECT_EQ(drive_.goal.number, 2);
   EXPECT_FALSE(drive_.ending);
@@ -205,16 +204,14 @@ TEST_F(CommandLoopTest, ACancelThatComesLateEndsNoNewerTrip) {
 }
 
 TEST_F(CommandLoopTest, AnOlderTripDoesNotBeginAfterANewerOne) {
-  std::optional<Ending> unfinished;
-  ASSERT_TRUE(beginTrip({3, Pose{Point(30.0, 0.0), 0.0}}, now_, drive_, unfinished));
-  EXPECT_FALSE(beginTrip({2, Pose{Point(10.0, 0.0), 0.0}}, now_, drive_, unfinished));
+  ASSERT_TRUE(beginTrip({3, Pose{Point(30.0, 0.0), 0.0}}, now_, drive_));
+  EXPECT_FALSE(beginTrip({2, Pose{Point(10.0, 0.0), 0.0}}, now_, drive_));
   EXPECT_EQ(drive_.goal.number, 3);
 }
 
 TEST_F(CommandLoopTest, NoTripBeginsWhileTheNodeEnds) {
-  std::optional<Ending> unfinished;
   drive_.closing = true;
-  EXPECT_FALSE(beginTrip({2, Pose{Point(30.0, 0.0), 0.0}}, now_, drive_, unfinished));
+  EXPECT_FALSE(beginTrip({2, Pose{Point(30.0, 0.0), 0.0}}, now_, drive_));
   EXPECT_EQ(drive_.goal.number, 1);
 }
 

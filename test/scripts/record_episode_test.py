@@ -8,7 +8,6 @@ import importlib.util
 import os
 import pathlib
 import signal
-import socket
 import subprocess
 import sys
 import tempfile
@@ -16,6 +15,7 @@ import time
 import unittest
 
 import rosbag
+from surroundings import free_port
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SCRIPT = ROOT / "scripts/record_episode.py"
@@ -34,12 +34,6 @@ MARKERS = {"planner_node/belief_markers", "planner_node/search_tree", "sim_node/
 NAMESPACED = """<launch><group ns="robot_1">
   <include file="$(find pomdp_crowd_nav)/launch/simulation.launch" pass_all_args="true"/>
 </group></launch>"""
-
-
-def free_port():
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return probe.getsockname()[1]
 
 
 class RecordTest(unittest.TestCase):

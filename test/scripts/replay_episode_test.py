@@ -10,7 +10,6 @@ import io
 import os
 import pathlib
 import signal
-import socket
 import subprocess
 import sys
 import tempfile
@@ -27,6 +26,7 @@ from std_msgs.msg import String
 from tf2_msgs.msg import TFMessage
 
 from episode_bag_writer import EpisodeBag
+from surroundings import free_port
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SCRIPT = ROOT / "scripts/replay_episode.py"
@@ -43,12 +43,6 @@ COMMANDS = ("/cmd_vel", "/cmd_vel_raw", "/move_base_simple/goal")
 SHOWN = ("/odom", "/tf", "/map", "/tracked_persons", "/planner_node/beliefs", "/planner_node/status",
          "/planner_node/search_tree", "/planner_node/local_plan", "/planner_node/current_goal")
 SIM_TIME = "/use_sim_time"
-
-
-def free_port():
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return probe.getsockname()[1]
 
 
 def wait_until(is_true, seconds=20.0):

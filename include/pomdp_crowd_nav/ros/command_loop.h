@@ -56,10 +56,10 @@ class CommandLoop {
   double last_yaw_rate_ = 0.0;
 };
 
-// Begins the trip, without a stop where the robot is driving already. The end of the one before
-// that nobody was told yet is left in `unfinished`. False, and nothing changed, when a newer trip
-// has begun or the node ends.
-bool beginTrip(const Goal& goal, double now, Drive& drive, std::optional<Ending>& unfinished);
+// Begins the trip, without a stop where the robot is driving already; one that was still turning at
+// its goal or braking is over. False, and nothing changed, when a newer trip has begun or the node
+// ends.
+bool beginTrip(const Goal& goal, double now, Drive& drive);
 
 // Ends the trip: from now on the base is stopped. Does nothing without a goal.
 void endTrip(Outcome outcome, const std::string& text, double now, Drive& drive);

@@ -43,6 +43,10 @@ std::optional<RobotReading> toReading(const nav_msgs::Odometry& odometry, const 
 TrackList toTracks(const TrackedPersons& persons, const Pose& frame);
 TrackList toTracks(const People& people, const Pose& frame);
 
+// How many people the message names, readable or not.
+size_t countPeople(const TrackedPersons& persons);
+size_t countPeople(const People& people);
+
 // Id of the person of that name: a name of decimal digits is its own number; any other becomes
 // its FNV-1a hash of 64 bits with the highest bit cleared and the next one set, so that it is the
 // same everywhere and far from small numbers. Never negative.
