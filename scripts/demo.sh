@@ -13,7 +13,6 @@ usage() {
 usage: scripts/demo.sh [options]
 
 Drives one simulated trip through a crowd and sums it up in the last line of standard output.
-Exits with 0 when the goal was reached and nobody came too close, 1 otherwise, 2 on a bad option.
 
   --world NAME       set-up, a file of config/worlds without its ending, or the path of
                      another yaml file (scenario_1)
@@ -28,6 +27,13 @@ Exits with 0 when the goal was reached and nobody came too close, 1 otherwise, 2
   --help             this text
 
 Builds in build/ or in $PCN_BUILD_DIR.
+
+Exit status:
+  0  the goal was reached and nobody came within 1 m of the moving robot
+  1  somebody did, which is unsafe by the paper's rule, or the goal was not reached, or installing,
+     building or starting failed; the last line of standard error says which
+  2  a bad option, or something in the world, the tracks or the profile that a node refuses
+  130, 143  interrupted, terminated
 
 Examples:
   scripts/demo.sh                                     the paper's open field, 100 people
@@ -199,6 +205,27 @@ show_progress() {
   wait "$roslaunch_pid" || true
 }
 
+# value_of SUMMARY NAME : that figure of the line that sums the trip up.
+value_of() {
+  [[ ! " $1 " =~ \ $2=([^ ]*)\  ]] || printf '%s' "${BASH_REMATCH[1]}"
+}
+
+# faults_of SUMMARY : why this was no good trip; nothing for a good one.
+faults_of() {
+  local faults=() unsafe
+  [[ $(value_of "$1" goal_reached) == true ]] || faults+=("the goal was not reached")
+  unsafe=$(value_of "$1" unsafe_steps)
+  case $unsafe in
+    0) ;;
+    nan | '') faults+=("nothing told how near people came to the robot") ;;
+    *)
+      faults+=("somebody came within 1 m of the moving robot (nearest: \
+$(value_of "$1" min_moving_distance_m) m, decision steps within 1 m: $unsafe)")
+      ;;
+  esac
+  ((${#faults[@]} == 0)) || printf '%s' "${faults[0]}${faults[1]:+, and ${faults[1]}}"
+}
+
 report_trip() {
   local reason summary
   # A node that refuses its configuration says why in one line of its own.
@@ -208,14 +235,15 @@ report_trip() {
     tail -n 30 "$log" >&2
     die 1 "the trip did not come to its end"
   fi
-  if ! [[ $summary =~ goal_reached=true\ .*unsafe_steps=0\  ]]; then
+  reason=$(faults_of "$summary")
+  if [[ -n $reason ]]; then
     sed -n '/ to the goal$/d; s/^send_goal: /demo.sh: the trip ended: /p' "$log" >&2
     say "demo.sh: the log is $log"
-    printf '%s\n' "$summary"
-    exit 1
+    say "demo.sh: exit status 1: $reason"
   fi
-  rm -rf "$run_dir"
   printf '%s\n' "$summary"
+  [[ -z $reason ]] || exit 1
+  rm -rf "$run_dir"
 }
 
 declare -A given=()
