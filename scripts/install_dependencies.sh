@@ -83,15 +83,21 @@ install_missing() {
     apt_install "${missing[@]}" || die 1 "packages could not be installed"
 }
 
-# Every 30 s the last line of the log, until the script or stop_heartbeat ends it.
+# How far a step is: its seconds and the last line of its log. One line that is written anew on a
+# terminal; elsewhere a line after 3 s and every 30 s. Until the script or stop_heartbeat ends it.
 heartbeat() {
-  local log=$1 start=$SECONDS nap=
-  trap '[[ -z $nap ]] || kill "$nap" 2>/dev/null; exit 0' TERM
+  local log=$1 start=$SECONDS nap='' period=3 wipe='' text
+  [[ ! -t 2 ]] || wipe=$'\r\e[K'
+  trap '[[ -z $nap ]] || kill "$nap" 2>/dev/null; printf %s "$wipe" >&2; exit 0' TERM
   while kill -0 $$ 2>/dev/null; do
-    sleep 30 >/dev/null 2>&1 &
+    [[ -z $wipe ]] || period=1
+    sleep "$period" >/dev/null 2>&1 &
     nap=$!
     wait "$nap"
-    say "      $((SECONDS - start)) s: $(tail -n 1 "$log" | cut -c 1-80)"
+    text=$(tail -n 1 "$log" | cut -c 1-65)
+    printf '%s      %d s%s' "$wipe" "$((SECONDS - start))" "${text:+: $text}" >&2
+    [[ -n $wipe ]] || printf '\n' >&2
+    period=30
   done
 }
 

@@ -1,19 +1,21 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""demo.sh says why a trip ends with status 1.
+"""demo.sh says why a trip ends with status 1, and its long steps show at once that they go on.
 
 Nothing is installed, built or started: stubs stand for all of that.
 """
 import os
 import pathlib
+import pty
 import shutil
 import subprocess
 import unittest
 
 from surroundings import SOURCE, FolderTest
 
+INSTALL = SOURCE / "scripts/install_dependencies.sh"
 STUBS = f"""
-. '{SOURCE}/scripts/install_dependencies.sh'
+. '{INSTALL}'
 install_missing() {{ :; }}
 build() {{ :; }}
 """
@@ -77,6 +79,44 @@ class TripTest(FolderTest):
         self.assertEqual(result.stdout, "")
         self.assertEqual(result.stderr.splitlines()[-1],
                          "demo.sh: the trip did not come to its end")
+
+
+class ProgressTest(FolderTest):
+    def step(self, seconds, stderr):
+        log = self.folder / "log"
+        script = (f". '{INSTALL}'; trap stop_heartbeat EXIT; "
+                  f"run_step '[1/1] working' '{log}' sh -c 'echo half way; sleep {seconds}'; "
+                  "say finished")
+        return subprocess.Popen(["bash", "-c", script], stdin=subprocess.DEVNULL, stderr=stderr)
+
+    def test_a_line_after_a_few_seconds(self):
+        with self.step(6, subprocess.PIPE) as process:
+            lines = process.stderr.read().decode().splitlines()
+        self.assertEqual(process.returncode, 0)
+        self.assertEqual((lines[0], lines[-1]), ("[1/1] working", "finished"))
+        self.assertEqual(len(lines), 3, lines)
+        self.assertRegex(lines[1], r"^      [3-6] s: half way$")
+
+    def test_one_line_of_a_terminal(self):
+        terminal, end = pty.openpty()
+        with self.step(4, end) as process:
+            os.close(end)
+            shown = self.read_all(terminal)
+        self.assertEqual(process.returncode, 0)
+        self.assertRegex(shown, r"\r\x1b\[K      [1-4] s: half way")
+        self.assertEqual(shown.count("\n"), 2, shown)
+        self.assertTrue(shown.endswith("\r\x1b[Kfinished\r\n"), shown)
+
+    @staticmethod
+    def read_all(terminal):
+        found = b""
+        try:
+            while piece := os.read(terminal, 4096):
+                found += piece
+        except OSError:  # nobody holds its other end any more
+            pass
+        os.close(terminal)
+        return found.decode()
 
 
 if __name__ == "__main__":
