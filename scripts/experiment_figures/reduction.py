@@ -3,7 +3,7 @@
 from command_line.refusal import Refusal
 
 from . import style
-from .style import name_of, plt, save, world_name
+from .style import error_bars, name_of, plt, save, spread_label, world_name
 from .tables import in_order, mean_and_error, read_results
 
 
@@ -29,16 +29,17 @@ def plot_reduction(options):
     figure, panels = plt.subplots(1, len(worlds), squeeze=False, sharey=True,
                                   constrained_layout=True,
                                   figsize=(max(3.4, 2.3 * len(worlds) + 0.5), 2.6))
+    summaries = {key: mean_and_error(saved) for key, saved in cells.items()}
     width = 0.8 / len(planners)
     for axes, world in zip(panels[0], worlds):
         for k, planner in enumerate(planners):
-            shown = [i for i, people in enumerate(crowds) if (world, planner, people) in cells]
+            shown = [i for i, people in enumerate(crowds) if (world, planner, people) in summaries]
             if not shown:
                 continue
-            summary = [mean_and_error(cells[world, planner, crowds[i]]) for i in shown]
+            summary = [summaries[world, planner, crowds[i]] for i in shown]
             places = [i + (k - 0.5 * (len(planners) - 1)) * width for i in shown]
             axes.bar(places, [mean for mean, _ in summary], width * 0.94,
-                     yerr=[error for _, error in summary], color=style.COLOURS[k],
+                     yerr=error_bars([error for _, error in summary]), color=style.COLOURS[k],
                      hatch=style.HATCHES[k],
                      edgecolor=style.INK, linewidth=0.6,
                      error_kw={"elinewidth": 0.9, "capsize": 2.0},
@@ -50,7 +51,8 @@ def plot_reduction(options):
         axes.set_xlabel("people")
         axes.yaxis.grid(True, color="#dddddd", linewidth=0.6)
         axes.set_axisbelow(True)
-    panels[0][0].set_ylabel(f"shorter than {name_of(options.baseline)} [%]\n(mean ± standard error)")
+    spread = spread_label([error for _, error in summaries.values()], "one pair")
+    panels[0][0].set_ylabel(f"shorter than {name_of(options.baseline)} [%]\n{spread}")
     handles, labels = panels[0][0].get_legend_handles_labels()
     figure.legend(handles, labels, ncol=len(planners), **style.ABOVE)
     save(figure, options.output)

@@ -6,7 +6,7 @@ import statistics
 import matplotlib.ticker
 
 from . import style
-from .style import name_of, plt, save, world_name
+from .style import error_bars, name_of, plt, save, spread_label, world_name
 from .tables import mean_and_error, read_results, read_settings
 
 
@@ -35,7 +35,8 @@ def plot_search_time(options):
     for k, ((world, people, planner), points) in enumerate(series.items()):
         points.sort()
         search, travel, errors, labels = zip(*points)
-        axes.errorbar(search, travel, yerr=errors, color=style.COLOURS[k % len(style.COLOURS)],
+        axes.errorbar(search, travel, yerr=error_bars(errors),
+                      color=style.COLOURS[k % len(style.COLOURS)],
                       marker=style.MARKERS[k % len(style.MARKERS)], markersize=5,
                       markeredgecolor=style.INK,
                       markeredgewidth=0.5, linewidth=1.2, capsize=2.5,
@@ -52,7 +53,9 @@ def plot_search_time(options):
     axes.xaxis.set_major_formatter(matplotlib.ticker.FormatStrFormatter("%g"))
     axes.xaxis.set_minor_formatter(matplotlib.ticker.NullFormatter())
     axes.set_xlabel("search for a decision, mean [ms]")
-    axes.set_ylabel("travel time [s]\n(mean ± standard error)")
+    spread = spread_label([error for points in series.values() for _, _, error, _ in points],
+                          "one run")
+    axes.set_ylabel(f"travel time [s]\n{spread}")
     axes.grid(True, color="#dddddd", linewidth=0.6)
     figure.legend(ncol=1 if len(series) < 3 else 2, **style.ABOVE)
     save(figure, options.output)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """How all figures look."""
+import math
 import pathlib
 
 import matplotlib
@@ -36,6 +37,20 @@ def name_of(planner):
 def world_name(world):
     stem = pathlib.Path(world).stem
     return stem.replace("scenario_", "Scenario ")
+
+
+def error_bars(errors):
+    """For matplotlib, which draws none where an error is no number, but fails where none is one."""
+    return errors if any(map(math.isfinite, errors)) else None
+
+
+def spread_label(errors, single):
+    """What the error bars are, and of what there are none because their error is not known."""
+    if not any(map(math.isfinite, errors)):
+        return f"({single} each, no standard error)"
+    if all(map(math.isfinite, errors)):
+        return "(mean ± standard error)"
+    return f"(mean ± standard error;\nnone for {single})"
 
 
 def save(figure, outputs):

@@ -25,11 +25,11 @@ TRAILS = "world,pedestrians,planner,seed,time_s,x_m,y_m\n"
 MAGIC = {".png": b"\x89PNG", ".pdf": b"%PDF", ".svg": b"<?xml"}
 
 
-def results(search=0.02):
+def results(search=0.02, seeds=(1, 2, 3)):
     rows = [f"{world},{people},{planner},{seed},1,{time + seed},0,{search},0\n"
             for world in ("scenario_1", "scenario_2") for people in (100, 400)
             for planner, time in (("1d_astar", 80), ("2d_fmm", 64), ("mine", 66))
-            for seed in (1, 2, 3)]
+            for seed in seeds]
     return RESULTS + "".join(rows)
 
 
@@ -52,6 +52,12 @@ def decision():
                         "predicted": [[8.7, 5.7], [9.4, 6.4]]},
                        {"position": [20, 5], "belief": [0.5, 0.5], "attended": False,
                         "predicted": []}]}
+
+
+def error_bars_of(svg):
+    """How many are drawn; those in a legend are not clipped."""
+    groups = re.findall(r'<g id="LineCollection_\d+">(.*?)</g>', svg, re.S)
+    return sum(len(re.findall(r'<path d="M[^"]+" clip-path', group)) for group in groups)
 
 
 @contextlib.contextmanager
@@ -90,12 +96,16 @@ class PlotTest(unittest.TestCase):
             self.assertTrue(content.startswith(MAGIC[pathlib.Path(output).suffix]))
 
     # Without a program of its own, for it would take most of its time to begin.
-    def expect_refusal(self, args, *words):
+    def expect_status(self, status, args):
         shown = io.StringIO()
         with contextlib.redirect_stderr(shown), in_folder(self.folder), \
                 unittest.mock.patch.object(sys, "argv", [str(SCRIPT), *args]):
-            self.assertEqual(PLOT.main(), 2, shown.getvalue())
+            self.assertEqual(PLOT.main(), status, shown.getvalue())
         PLOT.plt.close("all")
+        return shown
+
+    def expect_refusal(self, args, *words):
+        shown = self.expect_status(2, args)
         lines = shown.getvalue().splitlines()
         self.assertEqual(len(lines), 1, shown.getvalue())
         self.assertTrue(lines[0].startswith("plot_experiments.py: "), lines[0])
@@ -112,6 +122,21 @@ class PlotTest(unittest.TestCase):
         text = (self.folder / "figure.svg").read_text()
         for word in ("2D-FMM", "mine", "Scenario 2", "1D-A*", "400"):
             self.assertIn(word, text)
+
+    def test_of_a_single_run_no_standard_error_is_known(self):
+        rows = results(seeds=(1, 2)).splitlines(keepends=True)
+        mixed = "".join(row for row in rows if not row.startswith("scenario_2,400,mine,2"))
+        for figure, single, bars in (("reduction", "one pair", 8), ("search-time", "one run", 12)):
+            for text, label, drawn in (
+                    (results(seeds=(1,)), f"({single} each, no standard error)", 0),
+                    (mixed, f"none for {single})", bars - 1),
+                    (results(), "(mean ± standard error)", bars)):
+                with self.subTest(figure=figure, label=label):
+                    file = self.write("r.csv", text)
+                    self.expect_status(0, [figure, file, "--output", "figure.svg"])
+                    svg = (self.folder / "figure.svg").read_text()
+                    self.assertIn(label, svg)
+                    self.assertEqual(error_bars_of(svg), drawn)
 
     def test_decision(self):
         self.expect_figures("decision", self.write("d.json", json.dumps(decision())))
