@@ -90,20 +90,20 @@ class ProgressTest(FolderTest):
         return subprocess.Popen(["bash", "-c", script], stdin=subprocess.DEVNULL, stderr=stderr)
 
     def test_a_line_after_a_few_seconds(self):
-        with self.step(6, subprocess.PIPE) as process:
+        with self.step(8, subprocess.PIPE) as process:
             lines = process.stderr.read().decode().splitlines()
         self.assertEqual(process.returncode, 0)
         self.assertEqual((lines[0], lines[-1]), ("[1/1] working", "finished"))
         self.assertEqual(len(lines), 3, lines)
-        self.assertRegex(lines[1], r"^      [3-6] s: half way$")
+        self.assertRegex(lines[1], r"^      [3-8] s: half way$")
 
     def test_one_line_of_a_terminal(self):
         terminal, end = pty.openpty()
-        with self.step(4, end) as process:
+        with self.step(6, end) as process:
             os.close(end)
             shown = self.read_all(terminal)
         self.assertEqual(process.returncode, 0)
-        self.assertRegex(shown, r"\r\x1b\[K      [1-4] s: half way")
+        self.assertRegex(shown, r"\r\x1b\[K      [1-6] s: half way")
         self.assertEqual(shown.count("\n"), 2, shown)
         self.assertTrue(shown.endswith("\r\x1b[Kfinished\r\n"), shown)
 
