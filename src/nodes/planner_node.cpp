@@ -8,6 +8,7 @@
 #include "pomdp_crowd_nav/ros/navigation_server.h"
 #include "pomdp_crowd_nav/ros/node_arguments.h"
 #include "pomdp_crowd_nav/ros/output_relay.h"
+#include "pomdp_crowd_nav/ros/process_memory.h"
 #include "pomdp_crowd_nav/ros/ros_param_reader.h"
 #include "pomdp_crowd_nav/ros/shutdown_request.h"
 
@@ -17,6 +18,7 @@ int main(int argc, char** argv) {
       "planner_node", "Drives a robot through a crowd to the goals that it is sent.", argc, argv);
   if (status) return *status;
   pomdp_crowd_nav::relayOutput();  // no log holds up commands
+  pomdp_crowd_nav::returnLargeBlocks();
   try {
     ros::NodeHandle node;
     ros::NodeHandle private_node("~");

@@ -7,6 +7,7 @@
 
 #include "pomdp_crowd_nav/ros/node_arguments.h"
 #include "pomdp_crowd_nav/ros/output_relay.h"
+#include "pomdp_crowd_nav/ros/process_memory.h"
 #include "pomdp_crowd_nav/ros/ros_param_reader.h"
 #include "pomdp_crowd_nav/ros/shutdown_request.h"
 #include "pomdp_crowd_nav/ros/velocity_guard_server.h"
@@ -18,6 +19,7 @@ int main(int argc, char** argv) {
       argv);
   if (status) return *status;
   pomdp_crowd_nav::relayOutput();  // no log holds up commands
+  pomdp_crowd_nav::returnLargeBlocks();
   try {
     ros::NodeHandle node;
     ros::NodeHandle private_node("~");
