@@ -9,6 +9,7 @@ import rospkg
 import rospy
 from geometry_msgs.msg import PoseWithCovarianceStamped
 
+from .blame import is_violation
 from .faults import Limits, endless, faults
 from .memory import Memory
 from .outputs import CommandWatch, StatusWatch
@@ -98,7 +99,7 @@ class Rig:
     def _on_unsafe(self, event):
         event["time"] = round(event["time"] - self.begin, 2)
         event["fault"] = self.outcomes[-1]["fault"] if self.outcomes else ""
-        if event["cause"] != "person":
+        if is_violation(event["cause"]):
             self.violate(f"unsafe: {event}")
 
     def look(self):

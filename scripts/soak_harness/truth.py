@@ -8,7 +8,8 @@ import rospy
 from nav_msgs.msg import Odometry
 from pomdp_crowd_nav.msg import EpisodeMetrics, TrackedPersons
 
-MOVING = 0.05  # [m/s] as the simulator counts it
+from .blame import MOVING, blame, is_violation
+
 COUNTS = ("unsafe_steps", "unsafe_ticks", "contact_ticks")
 
 
@@ -19,11 +20,7 @@ def rotated(quaternion, vector):
 
 
 class Truth:
-    """Speed of the base, and each increase of the simulator's counts with who has caused it.
-
-    The robot has caused it when it drove towards the nearest person at more than `MOVING`; where
-    the robot only failed to get out of the way, that person has.
-    """
+    """Speed of the base, and each increase of the simulator's counts with who has caused it."""
 
     def __init__(self, start, relay=None):
         self.lock = threading.Lock()
@@ -32,6 +29,7 @@ class Truth:
         self.turning = 0.0
         self.position = start[:2]
         self.start = start  # x, y, heading of the odometry's frame
+        self.put_at = -math.inf
         self.people = []
         self.metrics = None
         self.events = []  # of the counts that have grown
@@ -83,20 +81,12 @@ class Truth:
             self.on_event(event)
 
     def _judge(self, grown):
-        x, y = self.position
-        event = {"time": time.monotonic(), "cause": "unknown", **grown}
-        if self.people:
-            person = min(self.people, key=lambda p: math.hypot(p[0] - x, p[1] - y))
-            distance = math.hypot(person[0] - x, person[1] - y)
-            towards = ((person[0] - x) / max(distance, 1e-9), (person[1] - y) / max(distance, 1e-9))
-            ours = self.velocity[0] * towards[0] + self.velocity[1] * towards[1]
-            theirs = -(person[2] * towards[0] + person[3] * towards[1])
-            event.update(distance=round(distance, 3), robot_towards=round(ours, 3),
-                         person_towards=round(theirs, 3),
-                         cause="robot" if ours > MOVING else "person")
+        now = time.monotonic()
+        event = {"time": now, **grown,
+                 **blame(self.position, self.velocity, self.people, now - self.put_at)}
         for name in COUNTS:
             self.totals[name] += grown[name]
-            if event["cause"] != "person":
+            if is_violation(event["cause"]):
                 self.caused_by_robot[name] += grown[name]
         self.events.append(event)
         return event
@@ -105,6 +95,7 @@ class Truth:
         """The robot was put elsewhere; its odometry begins afresh there."""
         with self.lock:
             self.start = start
+            self.put_at = time.monotonic()
 
     def is_at_rest(self):
         return self.speed < MOVING and self.turning < 0.05

@@ -11,7 +11,7 @@ import unittest
 SCRIPTS = pathlib.Path(__file__).resolve().parents[2] / "scripts"
 sys.path.insert(0, str(SCRIPTS))
 sys.dont_write_bytecode = True
-from soak_harness import figures, memory, stack  # noqa: E402  pylint: disable=wrong-import-position
+from soak_harness import blame, figures, memory, stack  # noqa: E402  pylint: disable=wrong-import-position
 
 
 class RefusalTest(unittest.TestCase):
@@ -76,6 +76,30 @@ class FiguresTest(unittest.TestCase):
         slope, error = figures.common_slope([[(0, 0.0), (1, 1.0), (2, 0.0), (3, 1.0)]])
         self.assertAlmostEqual(slope, 0.2)
         self.assertAlmostEqual(error, math.sqrt(0.8 / 2 / 5))
+
+
+class BlameTest(unittest.TestCase):
+    AHEAD, ASIDE = (1.0, 0.0, 0.0, 0.0), (0.0, 0.9, 0.0, -1.0)
+
+    def cause(self, people, speed=1.0, since_put=math.inf):
+        return blame.blame((0.0, 0.0), (speed, 0.0), people, since_put)["cause"]
+
+    def test_who_drives_at_somebody_has_caused_it(self):
+        self.assertEqual(self.cause([self.AHEAD]), "robot")
+        self.assertTrue(blame.is_violation("robot"))
+
+    def test_who_walks_up_to_the_robot_has_caused_it(self):
+        self.assertEqual(self.cause([self.AHEAD, self.ASIDE]), "person")
+        self.assertEqual(self.cause([self.AHEAD], speed=-0.5), "person")
+        self.assertFalse(blame.is_violation("person"))
+
+    def test_nobody_has_where_the_robot_has_just_been_put(self):
+        self.assertEqual(self.cause([self.AHEAD], since_put=1.0), "put there")
+        self.assertEqual(self.cause([self.AHEAD], since_put=2.0), "robot")
+        self.assertFalse(blame.is_violation("put there"))
+
+    def test_what_cannot_be_known_counts(self):
+        self.assertTrue(blame.is_violation(self.cause([])))
 
 
 class MemoryTest(unittest.TestCase):
