@@ -11,7 +11,8 @@ import unittest
 SCRIPTS = pathlib.Path(__file__).resolve().parents[2] / "scripts"
 sys.path.insert(0, str(SCRIPTS))
 sys.dont_write_bytecode = True
-from soak_harness import blame, figures, memory, stack  # noqa: E402  pylint: disable=wrong-import-position
+# pylint: disable-next=wrong-import-position
+from soak_harness import blame, figures, memory, stack  # noqa: E402
 
 
 class RefusalTest(unittest.TestCase):
