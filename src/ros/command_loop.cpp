@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace pomdp_crowd_nav {
 namespace {
@@ -14,6 +15,11 @@ constexpr double kPatience = 5.0;       // [s] for the base to stop before the t
 constexpr double kTurnPatience = 15.0;  // [s] for the turn at the goal
 constexpr double kOvershoot = 0.05;     // [m] beyond the tolerance that is let pass
 constexpr int kMostApproaches = 3;      // of a base that comes to rest beyond it
+
+// From the base to the goal of a trip that ends [m].
+double distanceToEnd(const Drive& drive) {
+  return (drive.inputs.robot->pose.position - drive.ending->goal.pose.position).norm();
+}
 
 VehicleState stateOf(const RobotReading& robot) {
   return {robot.pose.position, std::atan2(robot.velocity.y(), robot.velocity.x()),
@@ -61,7 +67,7 @@ CommandLoop::Tick CommandLoop::tick(double now, Drive& drive) {
   const double yaw_error = yawError(drive);
   if (drive.paused && yaw_error != 0.0) drive.ending->since = now;  // a pause costs no patience
   if (isOver(now, drive, at_rest)) {
-    finish(drive, at_rest, tick);
+    finish(now, drive, at_rest, tick);
     last_yaw_rate_ = 0.0;
   } else if (isFresh(now, drive) && (at_rest || last_yaw_rate_ != 0.0)) {
     tick.command = turnInPlace(drive.paused ? 0.0 : yaw_error);
@@ -143,22 +149,42 @@ double CommandLoop::yawError(const Drive& drive) const {
   return std::abs(error) <= yaw_tolerance_ ? 0.0 : error;
 }
 
+bool CommandLoop::isPastGoal(const Drive& drive) const {
+  return distanceToEnd(drive) > goal_tolerance_ + kOvershoot;
+}
+
+// What a trip lacks that ends because its goal was reached; empty when nothing.
+std::string CommandLoop::whyNotReached(double now, const Drive& drive, bool at_rest) const {
+  if (drive.ending->outcome != Outcome::kReached) return "";
+  const char* const kNoRest = "the base does not rest at the goal";
+  if (!isFresh(now, drive)) return fmt::format("{}: {}", kNoRest, describe(StopCause::kNoOdometry));
+  if (at_rest && isPastGoal(drive)) {
+    return fmt::format("the base rests {:.2f} m from the goal", distanceToEnd(drive));
+  }
+  const double yaw_error = yawError(drive);
+  const bool is_rolling = drive.inputs.robot->velocity.norm() >= stopped_speed_;
+  if (yaw_error != 0.0 && !is_rolling) {
+    return fmt::format("the base is {:.2f} rad off the heading of the goal", std::abs(yaw_error));
+  }
+  return at_rest ? "" : kNoRest;
+}
+
 // A base that rolled past the goal goes on with the trip.
-void CommandLoop::finish(Drive& drive, bool at_rest, Tick& tick) const {
+void CommandLoop::finish(double now, Drive& drive, bool at_rest, Tick& tick) const {
   Ending ending = *drive.ending;
+  const std::string shortcoming = whyNotReached(now, drive, at_rest);
+  const bool is_past = !shortcoming.empty() && at_rest && isPastGoal(drive);
   drive.ending.reset();
-  tick.finished = ending;
-  if (ending.outcome != Outcome::kReached || !at_rest || !drive.inputs.robot) return;
-  const double distance = (drive.inputs.robot->pose.position - ending.goal.pose.position).norm();
-  if (distance <= goal_tolerance_ + kOvershoot) return;
-  if (++drive.approaches <= kMostApproaches) {
+  if (is_past && ++drive.approaches <= kMostApproaches) {
     drive.goal = ending.goal;
     drive.prepared = true;
-    tick.finished.reset();
     return;
   }
-  tick.finished->outcome = Outcome::kFailed;
-  tick.finished->text = fmt::format("failed: the base rests {:.2f} m from the goal", distance);
+  if (!shortcoming.empty()) {
+    ending.outcome = Outcome::kFailed;
+    ending.text = "failed: " + shortcoming;
+  }
+  tick.finished = ending;
 }
 
 BaseCommand CommandLoop::turnInPlace(double yaw_error) {

@@ -27,9 +27,11 @@ void addOptions(CLI::App& app, Options& options) {
                  "Recorded people: a bag if its name ends in .bag, else a CSV with the header "
                  "time_s,ped_id,x_m,y_m")
       ->required();
-  app.add_option("--topic", options.tracks.topic, "TrackedPersons in the bag")
+  app.add_option("--topic", options.tracks.topic, "TrackedPersons or People in the bag")
       ->capture_default_str();
-  app.add_option("--frame", options.tracks.frame, "Frame of the tracks in the bag")
+  app.add_option("--frame", options.tracks.frame,
+                 "Frame of the destinations; tracks in another one are brought into it by the "
+                 "transforms in the bag")
       ->capture_default_str();
   app.add_option("--min-people", options.learning.min_people,
                  "Who begin or end their walk at a destination, at least")
@@ -50,11 +52,16 @@ std::vector<TrackSample> readTracks(const BagSource& source) {
   if (std::filesystem::path(source.path).extension() != ".bag") return readTracksFile(source.path);
   constexpr size_t kLongBag = 20000;  // messages; a shorter one is read at once
   std::optional<Progress> progress;
-  return readTracksBag(source, [&](size_t done, size_t total) {
+  const BagTracks tracks = readTracksBag(source, [&](size_t done, size_t total) {
     if (total < kLongBag) return;
     if (!progress) progress.emplace(0, total, "messages");
     progress->show(done);
   });
+  if (tracks.left_out > 0) {
+    fmt::print(stderr, "{} of {} messages are left out: the bag has no transform at their time\n",
+               tracks.left_out, tracks.messages);
+  }
+  return tracks.samples;
 }
 
 void run(const Options& options) {

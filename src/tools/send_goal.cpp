@@ -11,6 +11,7 @@
 
 #include "option_checks.h"
 #include "pomdp_crowd_nav/ros/conversions.h"
+#include "pomdp_crowd_nav/ros/shutdown_request.h"
 #include "pomdp_crowd_nav/sim/world_file.h"
 #include "run_tool.h"
 
@@ -18,6 +19,7 @@ namespace pomdp_crowd_nav {
 namespace {
 
 constexpr double kProgressPeriod = 5.0;      // [s] of wall clock
+constexpr double kCancelPatience = 6.0;      // [s]; the planner says after 5 s that it has stopped
 constexpr const char* kWorldsOwn = "world";  // for a coordinate: the world's goal
 constexpr const char* kTakenOver = "preempted by a newer goal";  // as the planner's result says
 
@@ -42,8 +44,10 @@ Examples:
   send_goal --world-file yard.yaml sim_metrics:=sim_node/metrics \
     planner_status:=planner_node/status
 
-Exit status: 0 when the goal was reached and the metrics say that nobody came within 1 m of the
-moving robot, or a newer goal took over; 1 otherwise; 2 for a bad argument.
+Ctrl-C, SIGTERM, SIGHUP and rosnode kill cancel the goal and wait for the robot to stop.
+
+Exit status: 0 when the goal was reached and, in simulation, the metrics say that nobody came within
+1 m of the moving robot, or a newer goal took over; 1 otherwise; 2 for a bad argument.
 )");
 }
 
@@ -74,6 +78,23 @@ move_base_msgs::MoveBaseGoal toActionGoal(const Point& goal, const std::string& 
   return message;
 }
 
+// Whether it is to go on.
+bool isUndisturbed() { return ros::ok() && !isShutdownRequested(); }
+
+// Topic on which somebody publishes metrics of a simulation; empty on a robot. A master that is
+// gone is not waited for.
+std::string topicOfMetrics() {
+  XmlRpc::XmlRpcValue args, response, topics;
+  args[0] = ros::this_node::getName();
+  args[1] = "";
+  if (!ros::master::execute("getPublishedTopics", args, response, topics, false)) return "";
+  for (int i = 0; i < topics.size(); ++i) {
+    const std::string type = topics[i][1];
+    if (type == ros::message_traits::datatype<EpisodeMetricsMessage>()) return topics[i][0];
+  }
+  return "";
+}
+
 // Sends a goal, waits for the end of the trip, says how far it is and how it went.
 class GoalSender {
  public:
@@ -87,7 +108,9 @@ class GoalSender {
   // Returns whether the goal was reached and nobody came too close, or a newer goal took over.
   bool drive(const Options& options, const Point& goal, const ros::WallTime& give_up) {
     while (!client_.isServerConnected()) {
-      if (!pauseUntil(give_up)) return fail(ros::ok() ? "no planner answers" : "interrupted");
+      if (!pauseUntil(give_up)) {
+        return fail(isUndisturbed() ? "no planner answers" : "interrupted");
+      }
     }
     sent_ = ros::Time::now();
     client_.sendGoal(toActionGoal(goal, options.frame), {}, {},
@@ -143,21 +166,43 @@ class GoalSender {
   }
 
   bool giveUp(double timeout) {
-    std::string reason = ros::ok() ? fmt::format("timed out after {:g} s", timeout) : "interrupted";
-    if (ros::ok() && client_.getState() == State::PENDING) reason += ", the goal was not taken";
-    if (ros::ok() && status_) reason += " in " + status_->state_name;
-    if (ros::ok() && status_ && !status_->stop_cause.empty()) reason += ": " + status_->stop_cause;
+    say(isUndisturbed() ? timedOut(timeout) : "interrupted");
+    cancel();
+    summarise(client_.getState() == State::SUCCEEDED);  // it may have come first
+    return false;
+  }
+
+  std::string timedOut(double timeout) {
+    std::string reason = fmt::format("timed out after {:g} s", timeout);
+    if (client_.getState() == State::PENDING) reason += ", the goal was not taken";
+    if (status_) reason += " in " + status_->state_name;
+    if (status_ && !status_->stop_cause.empty()) reason += ": " + status_->stop_cause;
+    return reason;
+  }
+
+  // The robot must not drive on when this program is gone.
+  void cancel() {
     client_.cancelGoal();
-    say(reason);
-    return summarise(false);
+    const ros::WallTime give_up = ros::WallTime::now() + ros::WallDuration(kCancelPatience);
+    while (client_.isServerConnected() && !client_.getState().isDone()) {
+      if (!ros::ok() || ros::WallTime::now() >= give_up) break;
+      spinShortly();
+    }
+    const State end = client_.getState();
+    say(end.isDone() ? fmt::format("{}, {}", end.toString(), end.getText())
+                     : "the planner does not say that the goal is cancelled");
   }
 
   static void say(const std::string& text) { std::cerr << "send_goal: " << text << std::endl; }
 
   static bool pauseUntil(const ros::WallTime& give_up) {
+    spinShortly();
+    return isUndisturbed() && ros::WallTime::now() < give_up;
+  }
+
+  static void spinShortly() {
     ros::spinOnce();
     ros::WallDuration(0.02).sleep();
-    return ros::ok() && ros::WallTime::now() < give_up;
   }
 
   // What was not received is no number.
@@ -181,9 +226,10 @@ class GoalSender {
     const ros::WallTime settled = ros::WallTime::now() + ros::WallDuration(0.5);
     while (pauseUntil(settled)) {
     }
-    if (reached && !metrics_) say("no metrics received: remap sim_metrics to those of sim_node");
+    const std::string topic = reached && !metrics_ ? topicOfMetrics() : "";
+    if (!topic.empty()) say("no metrics received: remap sim_metrics to " + topic);
     std::cout << summaryOf(reached, metrics_, status_) << std::endl;
-    return reached && metrics_ && metrics_->unsafe_steps == 0;
+    return reached && topic.empty() && (!metrics_ || metrics_->unsafe_steps == 0);
   }
 
   ros::NodeHandle node_;
@@ -205,7 +251,9 @@ bool drive(const Options& options, const Point& goal) {
     }
     ros::WallDuration(0.1).sleep();
   }
-  return GoalSender().drive(options, goal, give_up);
+  GoalSender sender;
+  catchShutdownRequests();
+  return sender.drive(options, goal, give_up);
 }
 
 }  // namespace
@@ -213,7 +261,8 @@ bool drive(const Options& options, const Point& goal) {
 
 int main(int argc, char** argv) {
   using namespace pomdp_crowd_nav;
-  ros::init(argc, argv, "send_goal");  // takes what is meant for ROS off the command line
+  // Takes what is meant for ROS off the command line.
+  ros::init(argc, argv, "send_goal", ros::init_options::NoSigintHandler);
   Options options;
   CLI::App app("Sends a goal to the planner, waits for the end of the trip and sums it up");
   addOptions(app, options);

@@ -244,6 +244,33 @@ TEST_F(CommandLoopTest, BaseThatNeverRestsAtTheGoalFails) {
   EXPECT_EQ(finished_->text, "failed: the base rests 0.80 m from the goal");
 }
 
+TEST_F(CommandLoopTest, BaseThatRollsOnAtTheGoalFails) {
+  drive_.inputs.robot->pose.position = Point(19.9, 0.0);
+  for (int i = 0; i < 200 && !finished_; ++i) {
+    run(0.05);
+    drive_.inputs.robot->velocity = Point(0.3, 0.0);
+    drive_.inputs.robot->pose.position += Point(0.015, 0.0);
+  }
+  EXPECT_GT(drive_.inputs.robot->pose.position.x(), 21.0);
+  ASSERT_TRUE(finished_);
+  EXPECT_EQ(finished_->outcome, Outcome::kFailed);
+  EXPECT_EQ(finished_->text, "failed: the base does not rest at the goal");
+}
+
+TEST_F(CommandLoopTest, GoalIsNotReachedWhereNoOdometrySaysThatTheBaseRests) {
+  drive_.inputs.robot->pose.position = Point(19.9, 0.0);
+  run(0.05);
+  drive_.inputs.robot->velocity = Point(0.5, 0.0);
+  for (int i = 0; i < 160 && !finished_; ++i) {
+    now_ += 0.05;
+    finished_ = loop_.tick(now_, drive_).finished;
+  }
+  ASSERT_TRUE(finished_);
+  EXPECT_EQ(finished_->outcome, Outcome::kFailed);
+  EXPECT_EQ(finished_->text,
+            "failed: the base does not rest at the goal: odometry is silent or too old");
+}
+
 class Stalled : public CommandLoopTest {
  protected:
   Stalled() {
@@ -319,6 +346,17 @@ TEST_F(TurnAtTheGoal, TurnsInPlaceToTheHeadingOfTheGoal) {
   ASSERT_TRUE(finished_);
   EXPECT_NEAR(drive_.inputs.robot->pose.heading, 2.0, 0.15);
   EXPECT_NEAR(drive_.inputs.robot->pose.position.x(), 19.9, 1e-6);
+}
+
+TEST_F(TurnAtTheGoal, BaseThatDoesNotTurnFails) {
+  drive_.inputs.robot->pose.position = Point(19.9, 0.0);
+  for (int i = 0; i < 400 && !finished_; ++i) {
+    run(0.05);
+    drive_.inputs.robot->pose.heading = drive_.inputs.robot->yaw_rate = 0.0;
+  }
+  ASSERT_TRUE(finished_);
+  EXPECT_EQ(finished_->outcome, Outcome::kFailed);
+  EXPECT_EQ(finished_->text, "failed: the base is 2.00 rad off the heading of the goal");
 }
 
 TEST_F(TurnAtTheGoal, CancelEndsTheTurn) {

@@ -5,32 +5,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
-#include <filesystem>
 #include <future>
 #include <limits>
 
 #include "navigation_client.h"
+#include "node_process.h"
+#include "send_goal_run.h"
 
 namespace pomdp_crowd_nav {
 namespace {
-
-struct ProgramRun {
-  int status = -1;     // of its end
-  std::string output;  // both of its outputs
-};
-
-// Runs the tool of that name, which lies beside this test.
-ProgramRun runSendGoal(const std::string& arguments) {
-  const auto folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();
-  const std::string command = (folder / "send_goal").string() + " " + arguments + " 2>&1";
-  ProgramRun run;
-  std::FILE* pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) return run;
-  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) run.output += static_cast<char>(c);
-  run.status = WEXITSTATUS(pclose(pipe));
-  return run;
-}
 
 class GoalsTest : public testing::Test {
  protected:
@@ -116,7 +101,9 @@ TEST_F(GoalsTest, NewerGoalPreemptsAndRefusedOneDoesNot) {
 TEST_F(GoalsTest, SendGoalInventsNoMetrics) {
   const ProgramRun run = runSendGoal("--x 1.2 --y 25 --timeout 30");
   EXPECT_EQ(run.status, 1) << run.output;
-  EXPECT_NE(run.output.find("no metrics received"), std::string::npos) << run.output;
+  EXPECT_NE(run.output.find("no metrics received: remap sim_metrics to /sim_node/metrics"),
+            std::string::npos)
+      << run.output;
   EXPECT_NE(run.output.find("goal_reached=true travel_time_s=nan min_moving_distance_m=nan"),
             std::string::npos)
       << run.output;
@@ -153,6 +140,29 @@ TEST_F(GoalsTest, SendGoalSaysInWhatTheTimeRanOut) {
       << run.output;
   call.request.data = false;
   ASSERT_TRUE(pause.call(call));
+}
+
+// A sender that is ended leaves no robot that drives on.
+TEST_F(GoalsTest, SendGoalThatIsEndedCancelsItsGoal) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    auto sender = std::async(std::launch::async, runSendGoal, "--x 20 --y 40 --timeout 60");
+    ASSERT_TRUE(client_.waitForMotion(30.0)) << client_.status().stop_cause;
+    const pid_t process = processOf("send_goal");
+    ASSERT_GT(process, 0);
+    kill(process, signal);
+    const ProgramRun run = sender.get();
+    EXPECT_EQ(run.status, 1) << run.output;
+    EXPECT_NE(run.output.find("interrupted"), std::string::npos) << run.output;
+    EXPECT_NE(run.output.find("PREEMPTED, cancelled"), std::string::npos) << run.output;
+    EXPECT_NE(run.output.find("goal_reached=false"), std::string::npos) << run.output;
+    EXPECT_TRUE(client_.waitUntil(2.0,
+                                  [this] {
+                                    return client_.status().state == PlannerStatus::IDLE &&
+                                           client_.commandedSpeed() == 0.0;
+                                  }))
+        << "signal " << signal << ": the robot drives on";
+    client_.cancelAll();
+  }
 }
 
 TEST_F(GoalsTest, PauseStopsAndResumeGoesOn) {

@@ -5,9 +5,12 @@
 #include <ros/master.h>
 #include <ros/this_node.h>
 
+#include <chrono>
+#include <future>
 #include <vector>
 
 #include "fake_robot.h"
+#include "send_goal_run.h"
 
 namespace pomdp_crowd_nav {
 namespace {
@@ -136,6 +139,23 @@ TEST(Movo, DrivesOnTheTopicsOfTheRobot) {
   EXPECT_GT(client.topSpeed(), 0.7);
   EXPECT_LE(client.topSpeed(), 1.0 + 1e-9);
   EXPECT_EQ(ros::names::resolve("cmd_vel"), "/movo/navigation/cmd_vel");
+}
+
+// As doc/movo.md sends it. Nobody on a robot publishes metrics of a simulation.
+TEST(Movo, SendGoalEndsWithZeroAtTheGoal) {
+  const FakeMovo movo;
+  const FakeRobot robot;
+  NavigationClient client;
+  ASSERT_TRUE(client.connect());
+  auto sender = std::async(std::launch::async, runSendGoal,
+                           "--x 12 --y 11 --timeout 60 planner_status:=planner_node/status");
+  ASSERT_TRUE(client.waitUntil(
+      70.0, [&] { return sender.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }));
+  const ProgramRun run = sender.get();
+  EXPECT_EQ(run.status, 0) << run.output;
+  EXPECT_NE(run.output.find("SUCCEEDED, goal reached"), std::string::npos) << run.output;
+  EXPECT_NE(run.output.find("goal_reached=true"), std::string::npos) << run.output;
+  EXPECT_EQ(run.output.find("metrics"), std::string::npos) << run.output;
 }
 
 }  // namespace

@@ -55,10 +55,14 @@ class NavigationClient {
 
   void send(double x, double y, const std::string& frame = "map",
             const ros::Time& stamp = ros::Time()) {
+    send(Pose{Point(x, y), 0.0}, frame, stamp);
+  }
+
+  void send(const Pose& pose, const std::string& frame, const ros::Time& stamp = ros::Time()) {
     move_base_msgs::MoveBaseGoal goal;
     goal.target_pose.header.stamp = stamp;
     goal.target_pose.header.frame_id = frame;
-    goal.target_pose.pose = toMessage(Pose{Point(x, y), 0.0});
+    goal.target_pose.pose = toMessage(pose);
     feedback_count_ = 0;
     action_.sendGoal(goal, {}, {}, [this](const auto&) { ++feedback_count_; });
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -11,15 +12,22 @@ namespace pomdp_crowd_nav {
 
 struct BagSource {
   std::string path;
-  std::string topic =
-      "tracked_persons";      // of TrackedPersons, ours or spencer's; "/" in front or not
-  std::string frame = "map";  // of all messages: nothing is transformed
+  // Of TrackedPersons, ours or spencer's, or of People, ours or people_msgs'; "/" in front or not.
+  std::string topic = "tracked_persons";
+  std::string frame = "map";  // in which the tracks are wanted
 };
 
-// The tracks of a bag in order of time, each person once at a time; `progress` is told how many of
-// how many messages are read. Throws std::runtime_error with one line that names the file: for a
-// file that is no bag, a topic without such messages, another frame, and no track at all.
-std::vector<TrackSample> readTracksBag(const BagSource& source,
-                                       const std::function<void(size_t, size_t)>& progress);
+struct BagTracks {
+  std::vector<TrackSample> samples;  // in order of time, each person once at a time
+  std::size_t messages = 0;
+  std::size_t left_out = 0;  // of these: the bag has no transform at their time
+};
+
+// The tracks of a bag, brought into the frame by the transforms that the bag holds; `progress` is
+// told how many of how many messages are read. Throws std::runtime_error with one line that names
+// the file: for a file that is no bag, a topic without such messages, a frame from which no
+// transform leads to the one that is wanted, and no track at all.
+BagTracks readTracksBag(const BagSource& source,
+                        const std::function<void(size_t, size_t)>& progress);
 
 }  // namespace pomdp_crowd_nav

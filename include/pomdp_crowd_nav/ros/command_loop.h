@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "pomdp_crowd_nav/control/emergency_override.h"
 #include "pomdp_crowd_nav/control/obstacle_reflex.h"
@@ -33,7 +34,9 @@ class CommandLoop {
   void watchPeople(double now, Drive& drive) const;
   void watchMap(double now, Drive& drive) const;
   void watchProgress(double now, Drive& drive) const;
-  void finish(Drive& drive, bool at_rest, Tick& tick) const;
+  std::string whyNotReached(double now, const Drive& drive, bool at_rest) const;
+  void finish(double now, Drive& drive, bool at_rest, Tick& tick) const;
+  bool isPastGoal(const Drive& drive) const;
   bool hasReachedGoal(const Drive& drive) const;
   bool isFresh(double now, const Drive& drive) const;
   bool isAtRest(double now, const Drive& drive);

@@ -5,8 +5,15 @@ import subprocess
 import time
 import unittest
 
+import rosbag
 import roslib.packages
+import rospy
 import yaml
+from geometry_msgs.msg import Point, TransformStamped
+from std_msgs.msg import Header
+from tf2_msgs.msg import TFMessage
+
+from pomdp_crowd_nav.msg import People, Person
 
 from bad_input.refusal import PACKAGE, SHARE, TRACKS_HEADER, BadInputTest
 
@@ -15,12 +22,30 @@ class LearnDestinationsTest(BadInputTest):
     NAME = "learn_destinations"
 
     # Six people from one door to another, and one who is there all the time.
-    def tracks(self):
+    @staticmethod
+    def rows():
         rows = [(0, 99, 5, 5), (60, 99, 5, 5)]
         for i in range(6):
             rows += [(5 + i, i, 0, 0.1 * i), (15 + i, i, 10, 0.1 * i)]
+        return sorted(rows)
+
+    def tracks(self):
         return self.write("people.csv", TRACKS_HEADER + "".join(
-            f"{t},{person},{x},{y}\n" for t, person, x, y in sorted(rows)))
+            f"{t},{person},{x},{y}\n" for t, person, x, y in self.rows()))
+
+    # The same as People in odom, which lies 100 m before the map.
+    def bag(self):
+        odom = TransformStamped(header=Header(frame_id="map"), child_frame_id="odom")
+        odom.transform.translation.x, odom.transform.rotation.w = 100.0, 1.0
+        path = str(self.folder / "people.bag")
+        with rosbag.Bag(path, "w") as bag:
+            bag.write("/tf_static", TFMessage([odom]), rospy.Time(1000))
+            for t, person, x, y in self.rows():
+                stamp = rospy.Time(1000 + t)
+                bag.write("/people", People(
+                    header=Header(stamp=stamp, frame_id="odom"),
+                    people=[Person(name=str(person), position=Point(x, y, 0.0))]), stamp)
+        return path
 
     def expect(self, args, *words):
         self.expect_refusal(self.NAME, args, *words)
@@ -33,6 +58,16 @@ class LearnDestinationsTest(BadInputTest):
         places = yaml.safe_load((self.folder / "places.yaml").read_text())
         self.assertEqual(sorted(places["destinations"]), [[0.0, 0.25], [10.0, 0.25]])
         self.expect(["--tracks", self.tracks(), "--output", "places.yaml"], "--output", "exists")
+
+    def test_finds_the_doors_of_a_bag_in_another_frame(self):
+        result = self.run_program(self.NAME, "--tracks", self.bag(), "--topic", "people",
+                                  "--output", "places.yaml")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("[110.00, 0.25]: 6 people", result.stdout)
+        self.assertNotIn("left out", result.stderr)
+        self.expect(["--tracks", self.bag(), "--topic", "people", "--frame", "hall"],
+                    "people.bag", "no transform", "'odom'", "'hall'")
+        self.expect(["--tracks", self.bag()], "people.bag", "no topic 'tracked_persons'")
 
     def test_missing_file(self):
         self.expect(["--tracks", "nowhere.csv"], "nowhere.csv")
