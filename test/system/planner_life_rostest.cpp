@@ -19,6 +19,7 @@ class PlannerLife : public testing::Test {
     const boost::function<void(const actionlib_msgs::GoalStatusArray&)> count =
         [this](const auto&) { ++goal_statuses_; };
     subscriber_ = node_.subscribe<actionlib_msgs::GoalStatusArray>("move_base/status", 10, count);
+    node_.getParam("planner_node/brake_deceleration", deceleration_);
   }
 
   void startAndDrive() {
@@ -30,6 +31,7 @@ class PlannerLife : public testing::Test {
   }
 
   void TearDown() override {
+    node_.setParam("planner_node/brake_deceleration", deceleration_);
     EXPECT_TRUE(client_.areCommandsFinite());
   }
 
@@ -46,6 +48,7 @@ class PlannerLife : public testing::Test {
   ros::NodeHandle node_;
   ros::Subscriber subscriber_;
   int goal_statuses_ = 0;
+  double deceleration_ = 1.0;  // [m/s^2]
   FakeRobot robot_;
   NavigationClient client_;
   std::unique_ptr<StartedNode> planner_;
@@ -81,6 +84,26 @@ TEST_F(PlannerLife, CancelOfTheYear2106) {
   waitUntil(1.0, [] { return false; });
   EXPECT_TRUE(planner_->isRunning());
   expectGoalStatuses();
+}
+
+// It takes 3.3 s to brake; a zero before that would stop it hard.
+TEST_F(PlannerLife, EndsOnlyWhenASlowBaseIsAtRest) {
+  node_.setParam("planner_node/brake_deceleration", 0.3);
+  startAndDrive();
+  planner_->kill(SIGHUP);
+  double last = 0.0;  // [m/s], before it was at rest
+  EXPECT_TRUE(waitUntil(10.0, [&] {
+    const double speed = robot_.speed();
+    if (speed > 0.0) last = speed;
+    return speed == 0.0;
+  }));
+  EXPECT_LT(last, 0.2);
+  int status = -1;
+  EXPECT_TRUE(waitUntil(5.0, [&] {
+    status = planner_->exitStatus();
+    return status >= 0;
+  }));
+  EXPECT_EQ(status, 0);
 }
 
 }  // namespace
