@@ -13,8 +13,8 @@ using actionlib_msgs::GoalStatus;
 GoalServer::GoalServer(ros::NodeHandle& node, Callbacks callbacks)
     : callbacks_(std::move(callbacks)),
       server_(
-          node, "move_base", [this](Server::GoalHandle handle) { onGoal(handle); },
-          [this](Server::GoalHandle handle) { onCancel(handle); }, false) {
+          ros::NodeHandle(node, "move_base"), [this](Server::GoalHandle handle) { onGoal(handle); },
+          [this](Server::GoalHandle handle) { onCancel(handle); }) {
   goals_ = node.advertise<move_base_msgs::MoveBaseActionGoal>("move_base/goal", 1);
   simple_goals_ = node.subscribe("move_base_simple/goal", 1, &GoalServer::onSimpleGoal, this);
   server_.start();

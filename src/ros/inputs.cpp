@@ -30,6 +30,17 @@ unsigned InputTraffic::refusals() const {
   return std::accumulate(refused.begin(), refused.end(), 0u);
 }
 
+void Inputs::noteTracks(double measured_at, double gap, bool is_afresh) {
+  const bool continues = !is_afresh && happenedWithin(tracks_at, gap, measured_at);
+  if (!continues) first_tracks_at = measured_at;
+  tracks_at = measured_at;
+}
+
+double longestGap(double people_timeout) {
+  constexpr double kLeast = 1.0;  // [s]
+  return std::max(kLeast, people_timeout);
+}
+
 bool isPoseJump(const RobotReading& from, const RobotReading& to, double max_speed) {
   constexpr double kSlack = 1.0;  // [m], corrections of the localisation are smaller
   const double way = (to.pose.position - from.pose.position).norm();

@@ -16,6 +16,9 @@ constexpr double kTurnedGrid = 1e-3;  // [rad]
 constexpr double kDrawnWithin =
     0.5;                            // cells, an obstacle fills the cells whose centre is this near
 constexpr double kRounding = 0.01;  // cells, what a grid's single precision may make of that
+constexpr double kFarthest = 1e6;   // [m], of a coordinate and of an edge
+constexpr double kFinest = 1e-6;    // [m], of a cell: it vanishes beside no coordinate
+constexpr double kMostCells = 1e8;  // of the rectangle around a turned grid
 
 // A blocked grid as a message has it: with a pose in the global frame.
 struct PosedGrid {
@@ -53,8 +56,13 @@ OccupancyGrid rectangleAround(const PosedGrid& grid) {
     most = most.cwiseMax(grid.toGlobal(corner));
   }
   around.resolution = grid.cells.resolution;
-  around.columns = static_cast<int>(std::ceil((most.x() - around.origin.x()) / around.resolution));
-  around.rows = static_cast<int>(std::ceil((most.y() - around.origin.y()) / around.resolution));
+  const Point cells = ((most - around.origin) / around.resolution).array().ceil();
+  if (!(cells.prod() <= kMostCells)) {
+    throw std::invalid_argument(fmt::format("map: turned, it takes {} x {} cells, more than {}",
+                                            cells.x(), cells.y(), kMostCells));
+  }
+  around.columns = static_cast<int>(cells.x());
+  around.rows = static_cast<int>(cells.y());
   around.blocked.assign(static_cast<size_t>(around.columns) * around.rows, 1);
   return around;
 }
@@ -76,28 +84,41 @@ OccupancyGrid straightened(const PosedGrid& grid) {
   return straight;
 }
 
+// Throws std::invalid_argument, naming what cannot be of a map.
+void validate(const nav_msgs::OccupancyGrid& grid, const std::optional<Pose>& origin) {
+  const nav_msgs::MapMetaData& info = grid.info;
+  const size_t cells = static_cast<size_t>(info.width) * info.height;
+  if (cells == 0 || cells != grid.data.size()) {
+    throw std::invalid_argument(fmt::format("map: {} x {} cells announced, {} sent", info.width,
+                                            info.height, grid.data.size()));
+  }
+  if (!origin) {
+    throw std::invalid_argument("map: its origin must be finite and its orientation a rotation");
+  }
+  if (!(origin->position.cwiseAbs().maxCoeff() <= kFarthest)) {
+    throw std::invalid_argument(fmt::format("map: its origin must be within {} m, got ({}, {})",
+                                            kFarthest, origin->position.x(), origin->position.y()));
+  }
+  const double edge = static_cast<double>(info.resolution) * std::max(info.width, info.height);
+  if (!(info.resolution >= kFinest && edge <= kFarthest)) {
+    throw std::invalid_argument(
+        fmt::format("map: its resolution must be at least {} m and its edges at most {} m, got {} "
+                    "m and {} m",
+                    kFinest, kFarthest, info.resolution, edge));
+  }
+}
+
 }  // namespace
 
 std::shared_ptr<const StaticMap> toStaticMap(const nav_msgs::OccupancyGrid& grid,
                                              const MapPolicy& policy) {
   const std::optional<Pose> origin = toPose(grid.info.origin);
-  const size_t cells = static_cast<size_t>(grid.info.width) * grid.info.height;
-  if (cells == 0 || cells != grid.data.size()) {
-    throw std::invalid_argument(fmt::format("map: {} x {} cells announced, {} sent",
-                                            grid.info.width, grid.info.height, grid.data.size()));
-  }
-  if (!origin) {
-    throw std::invalid_argument("map: its origin must be finite and its orientation a rotation");
-  }
-  if (!(grid.info.resolution > 0.0F && std::isfinite(grid.info.resolution))) {
-    throw std::invalid_argument(
-        fmt::format("map: its resolution must be positive, got {}", grid.info.resolution));
-  }
+  validate(grid, origin);
   OccupancyGrid blocked;
   blocked.resolution = grid.info.resolution;
   blocked.columns = static_cast<int>(grid.info.width);
   blocked.rows = static_cast<int>(grid.info.height);
-  blocked.blocked.reserve(cells);
+  blocked.blocked.reserve(grid.data.size());
   for (const std::int8_t cell : grid.data)
     blocked.blocked.push_back(policy.isBlocked(cell) ? 1 : 0);
   if (std::abs(origin->heading) > kTurnedGrid) {

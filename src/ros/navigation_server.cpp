@@ -189,11 +189,15 @@ bool NavigationServer::onPause(PauseService::Request& request, PauseService::Res
 }
 
 void NavigationServer::stopBase() {
+  constexpr double kSlack = 1.0;  // [s]
+  const VehicleParams& vehicle = params_.navigation.planning.model.vehicle;
   drive_.with([](Drive& drive) {
     drive.closing = true;
     cancelTrip(steadySeconds(), drive);
   });
-  const double give_up = steadySeconds() + 2.0;
+  const double braking_time =
+      vehicle.instant_velocity ? 0.0 : vehicle.max_speed / vehicle.brake_deceleration;
+  const double give_up = steadySeconds() + braking_time + kSlack;
   while (is_active_ && steadySeconds() < give_up) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }

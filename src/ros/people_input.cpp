@@ -8,8 +8,7 @@
 namespace pomdp_crowd_nav {
 namespace {
 
-constexpr int kQueue = 1;     // only the newest message counts
-constexpr double kGap = 1.0;  // [s], a longer silence breaks the series
+constexpr int kQueue = 1;  // only the newest message counts
 constexpr size_t kTrackedPersons = 0, kPeople = 1;
 
 }  // namespace
@@ -18,6 +17,7 @@ PeopleInput::PeopleInput(ros::NodeHandle& node, const PlannerNodeParams& params,
                          const MessageGate& gate, Guarded<Drive>& drive)
     : gate_(gate),
       drive_(drive),
+      gap_(longestGap(params.navigation.people_timeout)),
       tracker_(params.destinations, params.navigation.belief),
       choice_(params.navigation.people_timeout),
       topics_{node.resolveName("tracked_persons"), node.resolveName("people")} {
@@ -69,10 +69,7 @@ void PeopleInput::take(Sweep sweep) {
   TrackList tracks = tracksOf(crowd);
   drive_.with([&](Drive& drive) {
     Inputs& inputs = drive.inputs;
-    const double measured_at = sweep.verdict.measured_at;
-    const bool continues = inputs.tracks_at >= 0.0 && measured_at - inputs.tracks_at < kGap;
-    if (!continues || is_afresh) inputs.first_tracks_at = measured_at;
-    inputs.tracks_at = measured_at;
+    inputs.noteTracks(sweep.verdict.measured_at, gap_, is_afresh);
     inputs.left_out.add(left_out);
     inputs.people_traffic.topic = topics_[sweep.topic];
     inputs.people_traffic.noteArrival(sweep.frame_id, now);

@@ -2,7 +2,9 @@
 #include "pomdp_crowd_nav/ros/status_reporter.h"
 
 #include <diagnostic_msgs/DiagnosticStatus.h>
+#include <ros/console.h>
 
+#include <exception>
 #include <iterator>
 
 namespace pomdp_crowd_nav {
@@ -50,7 +52,11 @@ void StatusReporter::publishDiagnostics(std::vector<InputHealth> inputs) {
     const std::lock_guard<std::mutex> lock(mutex_);
     inputs_ = std::move(inputs);
   }
-  updater_.force_update();
+  try {
+    updater_.force_update();
+  } catch (const std::exception& error) {  // it throws when ROS time is near its end
+    ROS_WARN_THROTTLE(10.0, "diagnostics: %s", error.what());
+  }
 }
 
 PlannerStatus StatusReporter::newest() {

@@ -138,14 +138,16 @@ void VelocityGuardServer::refuseOdometry(MessageFault fault) {
 
 template <class Message>
 void VelocityGuardServer::onPeople(size_t source, const Message& message) {
-  const double now = ros::Time::now().toSec();
+  const ros::Time ros_time = ros::Time::now();
+  const double now = ros_time.toSec();
   noticeClockJump(now);
   const std_msgs::Header& header = message.header;
   const MessageFault fault = faultOf(header, now);
   if (fault != MessageFault::kNone) return refusePeople(source, header, fault);
   const std::string target = state_.with([](State& state) { return state.odom_frame; });
   if (target.empty()) return;  // there is no odometry to relate them to
-  const FrameSource::Frame frame = frames_.frameIn(target, header.frame_id, header.stamp);
+  const ros::Time stamp = std::min(header.stamp, ros_time);  // a stamp of the future is now
+  const FrameSource::Frame frame = frames_.frameIn(target, header.frame_id, stamp);
   if (frame.fault != MessageFault::kNone) return refusePeople(source, header, frame.fault);
   const TrackList people = toTracks(message, frame.pose);
   const bool are_nowhere = people.tracks.empty() && countPeople(message) > 0;

@@ -100,6 +100,26 @@ TEST_F(InputsStateTest, OldRefusedAndNewPeople) {
   EXPECT_EQ(healthOf("people").level, Level::kWarning);
 }
 
+// A tracker of 0.8 Hz, whose age limit allows for it.
+TEST_F(InputsStateTest, SlowTracksAreASeriesWithinTheirAgeLimit) {
+  limits_.people = 3.0;
+  const auto causeAfterTwo = [this](double period, bool is_afresh = false) {
+    inputs_.tracks_at = inputs_.first_tracks_at = -1.0;
+    inputs_.noteTracks(now_ - period, longestGap(limits_.people), true);
+    inputs_.noteTracks(now_, longestGap(limits_.people), is_afresh);
+    return cause();
+  };
+  EXPECT_EQ(causeAfterTwo(1.25), StopCause::kNone);
+  EXPECT_EQ(causeAfterTwo(2.9), StopCause::kNone);
+  EXPECT_EQ(causeAfterTwo(3.1), StopCause::kWatchingPeople);
+  EXPECT_EQ(causeAfterTwo(1.25, true), StopCause::kWatchingPeople);
+  limits_.people = 0.5;
+  EXPECT_EQ(causeAfterTwo(0.9), StopCause::kWatchingPeople) << "not yet for a second";
+  inputs_.noteTracks(now_ + 0.9, longestGap(limits_.people), false);
+  now_ += 0.9;
+  EXPECT_EQ(missingPeople(inputs_, limits_, now_), StopCause::kNone);
+}
+
 TEST_F(InputsStateTest, MissingOldAndRefusedMap) {
   inputs_.map_at = now_ - 5.1;
   EXPECT_EQ(cause(), StopCause::kNoMap);

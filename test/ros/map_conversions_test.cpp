@@ -85,6 +85,43 @@ TEST(Maps, OfAnotherSizeAreRefused) {
   EXPECT_THROW(toStaticMap(nav_msgs::OccupancyGrid()), std::invalid_argument);
 }
 
+// So far away that a cell is less than the rounding of a coordinate, such a rectangle has none.
+TEST(Maps, BeyondEveryCoordinateAreRefused) {
+  for (const double turn : {0.0, 0.3}) {
+    for (const double far : {1.0e20, -1.0e20, 1.0e300, 1.1e6}) {
+      nav_msgs::OccupancyGrid grid = smallGrid();
+      grid.info.origin = toMessage(Pose{Point(far, 0.0), turn});
+      EXPECT_THROW(toStaticMap(grid), std::invalid_argument) << turn << " " << far;
+      grid.info.origin = toMessage(Pose{Point(0.0, far), turn});
+      EXPECT_THROW(toStaticMap(grid), std::invalid_argument) << turn << " " << far;
+    }
+    for (const float resolution : {1.0e-45F, 1.0e-38F, 1.0e-7F, 1.0e6F, 1.0e38F}) {
+      nav_msgs::OccupancyGrid grid = smallGrid();
+      grid.info.origin = toMessage(Pose{Point(1.0, 2.0), turn});
+      grid.info.resolution = resolution;
+      EXPECT_THROW(toStaticMap(grid), std::invalid_argument) << turn << " " << resolution;
+    }
+    nav_msgs::OccupancyGrid grid = smallGrid();
+    grid.info.origin = toMessage(Pose{Point(1.0e6, -1.0e6), turn});
+    EXPECT_NO_THROW(toStaticMap(grid)) << turn;
+    grid.info.resolution = 1.0e-5F;
+    EXPECT_NO_THROW(toStaticMap(grid)) << turn;
+  }
+}
+
+// A long and narrow grid, askew, in a rectangle of 4.2 * 10^9 cells.
+TEST(Maps, TurnedGridThatTakesTooManyCellsIsRefused) {
+  nav_msgs::OccupancyGrid grid;
+  grid.info.resolution = 0.5F;
+  grid.info.width = 100000;
+  grid.info.height = 1;
+  grid.data.assign(100000, 0);
+  grid.info.origin = toMessage(Pose{Point(0.0, 0.0), 0.5});
+  EXPECT_THROW(toStaticMap(grid), std::invalid_argument);
+  grid.info.origin = toMessage(Pose{Point(0.0, 0.0), 0.0});
+  EXPECT_NO_THROW(toStaticMap(grid));
+}
+
 TEST(Maps, GridOfAMapShowsItsObstacles) {
   StaticMap::Obstacles obstacles;
   obstacles.circles.push_back({Point(5.0, 5.0), 2.0});

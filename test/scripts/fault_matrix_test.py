@@ -107,6 +107,14 @@ class SafetyDocumentTest(unittest.TestCase):
         self.assertEqual(len(rows), len({name for name, _ in rows}), "a row is there twice")
         self.assertEqual(sorted(rows), sorted(tested_faults()))
 
+    def test_tests_that_rows_name_are_there(self):
+        named = re.findall(r"`(\w+)\.(test_\w+)`", (ROOT / "doc/safety.md").read_text())
+        self.assertGreaterEqual(len(named), 4)
+        sources = "\n".join(path.read_text() for path in (ROOT / "test/scripts").rglob("*.py"))
+        for case, name in named:
+            self.assertRegex(sources, rf"class {case}\(")
+            self.assertIn(f"def {name}(self)", sources)
+
     def test_no_row_was_measured_over_its_bound(self):
         for _, row in fault_matrix.rows_of((ROOT / "doc/safety.md").read_text()):
             if row["measured [s]"]:

@@ -9,12 +9,14 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <string>
 
 #include "pomdp_crowd_nav/ros/steady_time.h"
 
 namespace pomdp_crowd_nav {
 
-// Times what comes on `cmd_vel` in a thread of its own, so that nothing else in a test delays it.
+// Times what comes on `cmd_vel`, of the robot in that namespace, in a thread of its own, so that
+// nothing else in a test delays it.
 class CommandMeter {
  public:
   struct Reading {
@@ -23,7 +25,7 @@ class CommandMeter {
     double least_speed = std::numeric_limits<double>::infinity();  // [m/s] commanded
   };
 
-  CommandMeter() : spinner_(1, &queue_) {
+  explicit CommandMeter(const std::string& space = "") : node_(space), spinner_(1, &queue_) {
     node_.setCallbackQueue(&queue_);
     subscriber_ = node_.subscribe("cmd_vel", 100, &CommandMeter::onCommand, this,
                                   ros::TransportHints().tcpNoDelay());

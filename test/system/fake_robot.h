@@ -46,8 +46,9 @@ class FakeRobot {
   std::atomic<bool> is_transform_silent{false};
   std::atomic<bool> is_map_silent{true};
   std::atomic<bool> is_clock_frozen{false};
-  std::atomic<double> clock_offset{1000.0};  // [s]
-  std::atomic<double> x_offset{0.0};         // [m], of the odometry
+  std::atomic<bool> is_clock_at_its_end{false};  // as are all stamps
+  std::atomic<double> clock_offset{1000.0};      // [s]
+  std::atomic<double> x_offset{0.0};             // [m], of the odometry
   Spoiler<nav_msgs::Odometry> odometry_spoiler;
   Spoiler<geometry_msgs::TransformStamped> transform_spoiler;
   Spoiler<TrackedPersons> people_spoiler;
@@ -62,6 +63,11 @@ class FakeRobot {
     commands_ = node_.subscribe("cmd_vel", 1, &FakeRobot::onCommand, this);
     thread_ = std::thread([this] { run(); });
     people_thread_ = std::thread([this] { runPeople(); });
+  }
+
+  // The last time that a message can have, in the year 2106.
+  static ros::Time endOfTime() {
+    return ros::Time(std::numeric_limits<std::uint32_t>::max(), 999999999);
   }
 
   // [m/s], of the base itself.
@@ -86,7 +92,7 @@ class FakeRobot {
     for (int i = 0; !stop_; ++i) {
       if (!is_clock_frozen) time_ += kPeriod;
       ros_time_ = clock_offset + time_;
-      stamp_ = ros::Time(ros_time_);
+      stamp_ = rosTime();
       rosgraph_msgs::Clock clock;
       clock.clock = stamp_;
       clock_.publish(clock);
@@ -105,6 +111,8 @@ class FakeRobot {
       if (!are_people_silent && ros_time_ > 0.0) publishPeople();
     }
   }
+
+  ros::Time rosTime() const { return is_clock_at_its_end ? endOfTime() : ros::Time(ros_time_); }
 
   void move() {
     const BaseCommand command{Point(x_velocity_, y_velocity_), yaw_rate_};
@@ -142,7 +150,7 @@ class FakeRobot {
   void publishPeople() {
     Foreign<TrackedPersons> people;
     people.message.header.frame_id = "map";
-    people.message.header.stamp = ros::Time(ros_time_);
+    people.message.header.stamp = rosTime();
     people_spoiler.apply(people.message);
     people_.publish(people);
   }

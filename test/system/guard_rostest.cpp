@@ -168,6 +168,14 @@ TEST_F(GuardTest, PersonOfPeopleMsgsInTheWay) {
   EXPECT_GT(robot_.nearest(), movo().radius + 0.3 - 0.05) << "of the centres";
 }
 
+// Further than transform_tolerance, and no transform is stamped ahead.
+TEST_F(GuardTest, StampsALittleAheadAreNow) {
+  const unsigned failures = status_.transform_failures;
+  robot_.stamps_ahead = 0.3;
+  expectDriveOn({"guard: stamps 0.3 s ahead", 0.4}, 3.0);
+  EXPECT_EQ(status_.transform_failures, failures) << status_.people_fault;
+}
+
 // Odometry, people and transforms. The difference of such a stamp and ROS time is no ros::Duration,
 // and a later one no ros::Time: either throws. What comes afterwards counts again.
 TEST_F(GuardTest, StampsOfTheYear2106) {

@@ -32,6 +32,7 @@ class GuardedRobot {
   std::atomic<bool> is_transform_silent{false};
   std::atomic<bool> has_watchdog{true};
   std::atomic<bool> are_stamps_absurd{false};  // the last that a message can have, in 2106
+  std::atomic<double> stamps_ahead{0.0};       // [s], on odometry and people
   std::atomic<double> clock_offset{1000.0};    // [s]
 
   explicit GuardedRobot(const VehicleParams& vehicle) : base_(vehicle, Pose{}) {
@@ -146,7 +147,7 @@ class GuardedRobot {
     const std::lock_guard<std::mutex> lock(mutex_);
     nav_msgs::Odometry odometry;
     odometry.header.frame_id = "odom";
-    odometry.header.stamp = stamp_;
+    odometry.header.stamp = stamp_ + ros::Duration(stamps_ahead);
     odometry.child_frame_id = "base_link";
     odometry.pose.pose = toMessage(base_.pose());
     const Point velocity = rotated(-base_.pose().heading, base_.velocity());
@@ -161,7 +162,7 @@ class GuardedRobot {
     if (person_.allFinite()) tracks.tracks = {{7, person_, Point(0.0, 0.0)}};
     std_msgs::Header header;
     header.frame_id = "map";
-    header.stamp = stamp_;
+    header.stamp = stamp_ + ros::Duration(stamps_ahead);
     if (!is_tracker_of_people_msgs) return persons_.publish(toMessage(tracks, header));
     Foreign<People> people;
     people.message.header = header;

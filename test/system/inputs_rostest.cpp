@@ -141,9 +141,8 @@ TEST_F(InputsTest, TransformThatIsNoNumberStopsTheBase) {
 
 // The last stamp that there is. Once tf2 has it, it throws at the next one, or prefers it for ever.
 TEST_F(InputsTest, TransformOfTheYear2106StopsTheBase) {
-  robot_.transform_spoiler.set([](geometry_msgs::TransformStamped& t) {
-    t.header.stamp = ros::Time(std::numeric_limits<std::uint32_t>::max(), 999999999);
-  });
+  robot_.transform_spoiler.set(
+      [](geometry_msgs::TransformStamped& t) { t.header.stamp = FakeRobot::endOfTime(); });
   expectRest({"tf of the year 2106", 2.0}, isAtRest());
   expectCause("transform to the global frame is too old", "odometry");
   robot_.transform_spoiler.set({});

@@ -125,7 +125,12 @@ TEST_F(ProcessesTest, KilledGuardIsReplaced) {
   const pid_t next = waitForNode("velocity_guard", process);
   ASSERT_NE(next, 0);
   ASSERT_NE(next, process);
-  EXPECT_TRUE(waitUntil(20.0, [this] { return speed_ > 0.8; })) << "the next one takes over";
+  const ros::Time begin = ros::Time::now();
+  EXPECT_TRUE(waitUntil(
+      20.0, [&] { return guard_.header.stamp > begin && guard_.state == GuardStatus::FORWARDING; }))
+      << "the next one takes over: " << guard_.stop_cause;
+  waitUntil(2.0, [] { return false; });  // what the killed one left has come to rest
+  EXPECT_TRUE(waitUntil(10.0, [this] { return speed_ > 0.8; })) << guard_.stop_cause;
 }
 
 TEST_F(ProcessesTest, StoppedGuard) {

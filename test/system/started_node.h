@@ -47,6 +47,11 @@ class StartedNode {
     process_ = 0;
   }
 
+  bool isRunning() {
+    if (process_ > 0 && waitpid(process_, nullptr, WNOHANG) == process_) process_ = 0;
+    return process_ > 0;
+  }
+
   // Its exit status; -1 while it runs, and of one that a signal has ended.
   int exitStatus() {
     int status = 0;

@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "navigation_client.h"
+#include "fault_probe.h"
 
 namespace pomdp_crowd_nav {
 namespace {
@@ -95,6 +95,28 @@ TEST_F(TwoRobotsTest, EachDrivesToItsGoalAndLeavesTheOtherAlone) {
   EXPECT_EQ(one_.client().state(), NavigationClient::State::SUCCEEDED) << one_.client().text();
   EXPECT_NEAR(one_.way(), 13.0, 1.5);
   EXPECT_NEAR(two_.way(), 12.0, 1.5);
+}
+
+// Far apart from what the other test leaves behind, so that nobody arrives meanwhile.
+TEST_F(TwoRobotsTest, BothDriveAtOnce) {
+  one_.send(60.0, 40.0);
+  two_.send(60.0, 60.0);
+  ASSERT_TRUE(waitUntil(60.0, [this] { return one_.speed() > 0.4 && two_.speed() > 0.4; }))
+      << one_.client().status().stop_cause << ", " << two_.client().status().stop_cause;
+  const double one_began = one_.way(), two_began = two_.way();
+  expectDriveOn({"two robots in namespaces at once", 0.4}, 3.0, {"robot_1", "robot_2"});
+  EXPECT_GT(one_.way(), one_began + 1.0);
+  EXPECT_GT(two_.way(), two_began + 1.0);
+  EXPECT_FALSE(one_.client().state().isDone()) << one_.client().text();
+  EXPECT_FALSE(two_.client().state().isDone()) << two_.client().text();
+  one_.client().cancel();
+  EXPECT_TRUE(one_.client().waitForEnd(10.0));
+  EXPECT_EQ(one_.client().state(), NavigationClient::State::PREEMPTED);
+  const double two_went_on = two_.way();
+  EXPECT_TRUE(waitUntil(20.0, [&] { return two_.way() > two_went_on + 1.0; }))
+      << "the end of one trip is none of the other's: " << two_.client().status().stop_cause;
+  two_.client().cancel();
+  EXPECT_TRUE(two_.client().waitForEnd(10.0));
 }
 
 }  // namespace

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <actionlib/server/action_server.h>
-#include <move_base_msgs/MoveBaseAction.h>
-
 #include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
 
 #include "pomdp_crowd_nav/ros/drive.h"
+#include "pomdp_crowd_nav/ros/move_base_server.h"
 
 namespace pomdp_crowd_nav {
 
@@ -34,7 +32,7 @@ class GoalServer {
   void publishFeedback(const geometry_msgs::PoseStamped& base_position);
 
  private:
-  using Server = actionlib::ActionServer<move_base_msgs::MoveBaseAction>;
+  using Server = MoveBaseServer;
 
   void onGoal(Server::GoalHandle handle);
   void onCancel(Server::GoalHandle handle);

@@ -45,6 +45,10 @@ struct Inputs {
   StopCause jump = StopCause::kNone;  // kClockJumped or kPoseJumped
   unsigned clock_jumps = 0;
   InputTraffic odometry_traffic, people_traffic, map_traffic;
+
+  // Tracks came in; a silence longer than `gap` [s] before them breaks the series, as one afresh
+  // does.
+  void noteTracks(double measured_at, double gap, bool is_afresh);
 };
 
 // Age limits, [s].
@@ -55,6 +59,9 @@ struct InputLimits {
   double clock = 0.5;     // ROS time that does not move on
   double watching = 1.0;  // unbroken tracks needed before the first decision
 };
+
+// The longest silence [s] in a series of tracks: a slow tracker may take up to its age limit.
+double longestGap(double people_timeout);
 
 // No base gets from one reading to the other; it was put elsewhere or found that it is.
 bool isPoseJump(const RobotReading& from, const RobotReading& to, double max_speed);

@@ -27,8 +27,8 @@ class NavigationServer {
                    const PlannerNodeParams& params);
   ~NavigationServer();
 
-  // For the end of the node: ends the trip, if any, waits until the base is at rest or two seconds
-  // have passed, and leaves a zero as the last command.
+  // For the end of the node: ends the trip, if any, waits until the base is at rest or one second
+  // more has passed than it takes to brake, and leaves a zero as the last command.
   void stopBase();
 
  private:

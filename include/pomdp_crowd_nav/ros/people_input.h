@@ -46,6 +46,7 @@ class PeopleInput {
 
   const MessageGate& gate_;
   Guarded<Drive>& drive_;
+  double gap_;  // [s], a longer silence breaks the series
   // Locked before the shared state, never while that is locked.
   std::mutex mutex_;
   BeliefTracker tracker_;
