@@ -6,7 +6,7 @@
 
 A node is what its program under src/nodes includes of ros/. Each row of the README's tables of
 nodes must be in the code, and the other way about, with its type; topics and namespaces of markers
-in rviz/*.rviz must be of a node. Prints a line for each difference; exit status 1 when there is any.
+in rviz/*.rviz must be of a node. A line for each difference; exit status 1 when there is any.
 """
 import pathlib
 import re
