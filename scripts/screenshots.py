@@ -83,6 +83,8 @@ def parse():
     parser.add_argument("--at", type=number(1, 1000), default=20.0,
                         help="the moment: the first larger decision after so many seconds of the "
                              "trip (%(default)s)")
+    parser.add_argument("--jobs", type=number(1, 64, int), default=os.cpu_count(),
+                        help="pictures at the same time (%(default)s)")
     options = parser.parse_args()
     options.images, options.work = options.output, f"{options.output}/screenshots_work"
     options.output = options.work  # of logs, for the environment
@@ -139,54 +141,55 @@ def view_of(moment, width, about, size):
     return View(width, *places[about])
 
 
-def layers(screen, text, moments):
+def layers(screens, text, moments):
     """Each layer alone, a tile each, sorted by the moment so that it is shown once."""
     from rviz_pictures.sheet import sheet
     tiles = {}
     for name, moment in moments.items():
+        chosen = [layer for layer in LAYERS if layer[1] == name]
+        say(f"{len(chosen)} layers, {len(LAYERS) - len(tiles)} to go…")
         moment.publish()
-        for label, of_moment, display, namespace, width, about in LAYERS:
-            if of_moment == name:
-                say(f"layer {label}, {len(LAYERS) - len(tiles)} to go…")
-                shown = {display: namespace and [namespace]}
-                view = view_of(moment, width, about, TILE)
-                tiles[label] = screen.picture(text, view, TILE, shown)
+        pictures = screens.pictures(
+            (text, view_of(moment, width, about, TILE), TILE, {display: namespace and [namespace]})
+            for _, _, display, namespace, width, about in chosen)
         moment.withdraw()
-    return sheet([(f"{layer[0]}, {layer[4] or 100:g} m" if layer[4] else layer[0], tiles[layer[0]])
+        tiles.update({layer[0]: picture for layer, picture in zip(chosen, pictures)})
+    return sheet([(f"{layer[0]}, {layer[4]} m" if layer[4] else layer[0], tiles[layer[0]])
                   for layer in LAYERS], 3)
 
 
-def take(screen, moments, images):
+def take(screens, moments, images):
     from rviz_pictures.sheet import save
     from rviz_pictures.window import View
     text = (share_folder() / "rviz/navigation.rviz").read_text()
     say("the whole field and close to the robot…")
     moments["drive"].publish()
     # The views Whole field and Close to the robot.
-    whole = screen.picture(text, View(FIELD[0] / 7.6, 50.0, 54.0), FIELD)
-    close = screen.picture(text, View(CLOSE[0] / 28.0, frame="base_link"), CLOSE)
+    whole, close = screens.pictures([(text, View(FIELD[0] / 7.6, 50.0, 54.0), FIELD),
+                                     (text, View(CLOSE[0] / 28.0, frame="base_link"), CLOSE)])
     moments["drive"].withdraw()
     save(whole, images / "rviz_scenario_1.png")
     save(close, images / "rviz_close.png")
-    save(layers(screen, text, moments), images / "rviz_layers.png")
+    save(layers(screens, text, moments), images / "rviz_layers.png")
 
 
 def work(options, folder):
     import rospy
-    from rviz_pictures.window import Screen
+    from rviz_pictures.window import Screens
     port = urllib.parse.urlparse(os.environ["ROS_MASTER_URI"]).port
     with open(folder / "log/roscore.log", "w", encoding="utf-8") as log:
         master = subprocess.Popen(["roscore", "-p", str(port)], stdout=log, stderr=log)
-    screen = None
+    screens = None
     begin = time.monotonic()
     try:
         rospy.init_node("screenshots", disable_signals=True)
-        screen = Screen(folder, 1000, 1000)
-        take(screen, drives(options, folder), folder.parent)
+        moments = drives(options, folder)
+        screens = Screens(folder, options.jobs, *map(max, zip(FIELD, CLOSE, TILE)))
+        take(screens, moments, folder.parent)
         say(f"written to {folder.parent} in {time.monotonic() - begin:.0f} s")
     finally:
-        if screen:
-            screen.stop()
+        if screens:
+            screens.stop()
         master.terminate()
         master.wait()
     shutil.rmtree(folder)

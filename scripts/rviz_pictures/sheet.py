@@ -32,6 +32,7 @@ def sheet(tiles, columns):
     return image
 
 
-def save(image, path, colors=128):
-    """With a palette, which the few colours of RViz fit into."""
-    image.quantize(colors, method=Image.MEDIANCUT, dither=Image.NONE).save(path, optimize=True)
+def save(image, path):
+    """With a palette in which the colours of thin lines are kept: that of median cut follows areas."""
+    image.quantize(256, method=Image.MAXCOVERAGE, kmeans=1, dither=Image.NONE).save(
+        path, optimize=True)

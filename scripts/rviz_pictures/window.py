@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """RViz on a screen of its own: one view of a project's configuration as a picture."""
+import concurrent.futures
 import copy
 import os
+import queue
 import subprocess
 import time
 
@@ -36,10 +38,37 @@ def configured(text, view, size, shown=None):
     manager["Views"]["Current"].update({
         "Target Frame": "<Fixed Frame>" if view.frame == "map" else view.frame,
         "X": view.x, "Y": view.y, "Scale": size[0] / view.width, "Angle": 0})
+    manager["Global Options"]["Frame Rate"] = 2  # nothing moves, and no graphics card draws
     config["Window Geometry"].update({
         "Width": size[0], "Height": size[1], "X": 0, "Y": 0, "Hide Left Dock": True,
         "Hide Right Dock": True})
     return yaml.safe_dump(config)
+
+
+class Screens:
+    """Several, for pictures at the same time."""
+
+    def __init__(self, folder, count, width, height):
+        self.all = [Screen(folder / f"screen_{i}", width, height) for i in range(count)]
+        self.free = queue.Queue()
+        for screen in self.all:
+            self.free.put(screen)
+
+    def pictures(self, wanted):
+        """Of each of `wanted`, which are arguments of Screen.picture."""
+        def take(arguments):
+            screen = self.free.get()
+            try:
+                return screen.picture(*arguments)
+            finally:
+                self.free.put(screen)
+
+        with concurrent.futures.ThreadPoolExecutor(len(self.all)) as pool:
+            return list(pool.map(take, wanted))
+
+    def stop(self):
+        for screen in self.all:
+            screen.stop()
 
 
 class Screen:
@@ -47,6 +76,7 @@ class Screen:
 
     def __init__(self, folder, width, height):
         self.folder = folder
+        folder.mkdir(exist_ok=True)
         reading, writing = os.pipe()
         self.process = subprocess.Popen(
             ["Xvfb", "-displayfd", str(writing), "-screen", "0",
@@ -72,7 +102,7 @@ class Screen:
         large = tuple(SHARPNESS * side for side in size)
         path = self.folder / "view.rviz"
         path.write_text(configured(text, view, large, copy.deepcopy(shown)))
-        with open(self.folder / "log/rviz.log", "w", encoding="utf-8") as log:
+        with open(self.folder / "rviz.log", "w", encoding="utf-8") as log:
             rviz = subprocess.Popen(
                 ["rviz", "--fullscreen", "-d", str(path)], stdout=log, stderr=subprocess.STDOUT,
                 env=dict(os.environ, DISPLAY=self.name, LIBGL_ALWAYS_SOFTWARE="1"))
@@ -85,7 +115,7 @@ class Screen:
     def _settled(self, rviz, size):
         end, drawn_at, last = time.monotonic() + TIMEOUT, None, None
         while time.monotonic() < end and rviz.poll() is None:
-            time.sleep(1.0)
+            time.sleep(0.7)
             now = self.grab(size)
             colors = {color for _, color in now.getcolors(maxcolors=size[0] * size[1])}
             if drawn_at is None and BACKGROUND in colors and len(colors) > 1:
@@ -94,7 +124,7 @@ class Screen:
             if is_ripe and last and now.tobytes() == last.tobytes():
                 return now
             last = now
-        raise RuntimeError(f"RViz shows nothing; its log is {self.folder}/log/rviz.log")
+        raise RuntimeError(f"RViz shows nothing; its log is {self.folder}/rviz.log")
 
     def stop(self):
         self.process.terminate()
