@@ -52,7 +52,7 @@ LAYERS = (
     ("driven", "drive", ROBOT, "driven", 60, "robot"),
     ("status", "drive", ROBOT, "status", 80, "headline"),
     ("cause", "blocked", ROBOT, "cause", 30, "robot"),
-    ("Way without people", "drive", "Way without people", None, None, "field"),
+    ("Way without people", "drive", "Way without people", None, 30, "robot"),
     ("Planned path", "drive", "Planned path", None, 20, "robot"),
     ("Goal", "drive", "Goal", None, 15, "goal"),
     ("MOVO", "drive", "MOVO", None, 3, "robot"),
