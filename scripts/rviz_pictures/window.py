@@ -11,7 +11,7 @@ import yaml
 from PIL import Image
 
 SHARPNESS = 2    # drawn so many times larger, then reduced: RViz draws edges without shades
-TIMEOUT = 90.0   # [s]
+TIMEOUT = 300.0  # [s]
 BACKGROUND = (250, 250, 248)  # of rviz/*.rviz
 LEAST_TIME = 3.0  # [s] from the first grid to what comes over topics
 
