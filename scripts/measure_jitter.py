@@ -58,7 +58,7 @@ class Measurement:
     def __init__(self, options, folder):
         from soak_harness.undisturbed import UndisturbedDrive
         self.options, self.folder = options, folder
-        self.drive = UndisturbedDrive(options, folder)
+        self.drive = UndisturbedDrive(options, folder, WARM_UP + 2 * 60.0 * options.minutes)
 
     def start(self):
         import rospy

@@ -64,7 +64,7 @@ class Measurement:
     def __init__(self, options, folder):
         from soak_harness.undisturbed import UndisturbedDrive
         self.options, self.folder = options, folder
-        self.drive = UndisturbedDrive(options, folder)
+        self.drive = UndisturbedDrive(options, folder, 4 * (SETTLE + options.seconds))
 
     def measure(self, name, is_driving):
         """A row of the table."""

@@ -48,7 +48,8 @@ TEST_P(ShippedProfile, LoadsWithoutAnUnknownKey) {
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryProfile, ShippedProfile,
-                         testing::Values("paper", "paper_car", "movo", "street"),
+                         testing::Values("paper", "paper_car", "tuned", "movo", "movo_stock",
+                                         "street"),
                          [](const auto& test) { return std::string(test.param); });
 
 TEST(LoadParams, ThePapersCarHasThePapersConstants) {
@@ -113,6 +114,19 @@ TEST(LoadParams, TheMovoIsARampedBase) {
   EXPECT_EQ(model.beyond_horizon, BeyondHorizon::kFreeDrive);
   EXPECT_FALSE(profile.simulator.vehicle.instant_velocity) << "the simulator drives the same base";
   EXPECT_EQ(profile.simulator.sensor.range, 30.0);
+}
+
+// It is what a MOVO's base does before anybody raises its limits: 0.5 m/s, 1 m/s^2, 1 rad/s.
+TEST(LoadParams, TheStockMovoKeepsTheLimitsThatItsBaseComesWith) {
+  const ModelParams model = loadShipped("movo_stock").navigation.planning.model;
+  const ModelParams fast = loadShipped("movo").navigation.planning.model;
+  EXPECT_LE(model.vehicle.max_speed, 0.5);
+  EXPECT_LE(model.vehicle.acceleration, 1.0);
+  EXPECT_LE(model.vehicle.max_yaw_rate, 1.0);
+  EXPECT_EQ(model.speedStep(), 0.5);
+  EXPECT_EQ(model.vehicle.radius, fast.vehicle.radius);
+  EXPECT_GE(model.horizon * model.vehicle.max_speed, fast.horizon * fast.vehicle.max_speed)
+      << "as long a way";
 }
 
 TEST(LoadParams, AnEmptyProfileIsTheDefaults) {

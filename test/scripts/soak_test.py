@@ -16,8 +16,9 @@ from soak_harness import blame, figures, memory, stack  # noqa: E402
 
 
 class RefusalTest(unittest.TestCase):
-    def expect(self, script, args, *words):
+    def expect(self, script, args, *words, **variables):
         environment = {key: value for key, value in os.environ.items() if key != "PCN_BUILD_DIR"}
+        environment.update(variables)
         command = [str(SCRIPTS / script), *args]
         if script.endswith(".py"):
             command.insert(0, sys.executable)
@@ -47,6 +48,12 @@ class RefusalTest(unittest.TestCase):
         self.expect("soak.py", ["--use-sim-time", "maybe"], "--use-sim-time", "maybe")
         self.expect("measure_jitter.py", ["--minutes", "0"], "--minutes", "'0'")
         self.expect("measure_jitter.py", ["--load", "0"], "--load", "'0'")
+
+    def test_screenshots(self):
+        self.expect("screenshots.py", ["--at", "0"], "--at", "'0'")
+        self.expect("screenshots.py", ["--people", "none"], "--people", "'none'")
+        self.expect("screenshots.py", [], "not installed: imagemagick, rviz, xvfb",
+                    PATH="/nowhere")
 
     def test_shell_scripts(self):
         self.expect("sanitize.sh", [], "address or thread")

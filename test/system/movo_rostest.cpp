@@ -136,8 +136,9 @@ TEST(Movo, DrivesOnTheTopicsOfTheRobot) {
   EXPECT_EQ(client.state(), NavigationClient::State::SUCCEEDED) << client.text();
   EXPECT_TRUE(client.waitForRest(2.0));
   EXPECT_TRUE(client.areCommandsFinite());
-  EXPECT_GT(client.topSpeed(), 0.7);
-  EXPECT_LE(client.topSpeed(), 1.0 + 1e-9);
+  // The limit that the base comes with, which the launch file keeps where nothing else is said.
+  EXPECT_GT(client.topSpeed(), 0.4);
+  EXPECT_LE(client.topSpeed(), 0.5 + 1e-9);
   EXPECT_EQ(ros::names::resolve("cmd_vel"), "/movo/navigation/cmd_vel");
 }
 

@@ -71,7 +71,7 @@ polygons:
 
     def test_unknown_names_come_with_the_choice(self):
         self.expect(["--worlds", "atlantis"], "atlantis", "scenario_1, scenario_2")
-        self.expect(["--profile", "atlantis"], "atlantis", "movo, paper, paper_car, street, tuned")
+        self.expect(["--profile", "atlantis"], "atlantis", "movo, movo_stock, paper, paper_car, street, tuned")
 
     def test_names_that_may_have_been_meant(self):
         for args, meant in ((["--worlds", "scenario1"], "'scenario_1'"),
