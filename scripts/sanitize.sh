@@ -10,12 +10,13 @@ source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 usage() {
   cat <<'END'
-usage: scripts/sanitize.sh address|thread [--core | COMMAND...]
+usage: scripts/sanitize.sh address|thread [--core | --rostests | COMMAND...]
 
 Builds with AddressSanitizer and UndefinedBehaviorSanitizer, or with ThreadSanitizer, and runs under it
 
   nothing more   every test of ctest but those of launch files, documents and the panel in Qt
   --core         the tests that need no ROS, in a build of their own
+  --rostests     the tests of the nodes
   COMMAND...     a command, in the environment of the build, such as
                  scripts/sanitize.sh address scripts/soak.py --duration 600
 
@@ -45,7 +46,7 @@ configure_sanitized() {
 # shellcheck disable=SC2317  # run_step calls it
 run_tests() {
   cd "$BUILD_DIR"
-  ctest --timeout 1800 --output-on-failure \
+  ctest --timeout 1800 --output-on-failure -R "$tests" \
     -E 'roslaunch|readme|_doc|recipe|help|doxygen|headers_are|convert|plot|core_is_free|rostest_test_panel'
 }
 
@@ -73,10 +74,12 @@ case ${1:-} in
 esac
 shift
 core_only=OFF
-if [[ ${1:-} == --core ]]; then
-  core_only=ON
+tests=.
+if [[ ${1:-} == --core || ${1:-} == --rostests ]]; then
+  [[ $1 != --core ]] || core_only=ON
+  [[ $1 != --rostests ]] || tests=_rostest_
+  (($# == 1)) || die 2 "$1 takes no command, got '$2'"
   shift
-  (($# == 0)) || die 2 "--core takes no command, got '$1'"
 elif [[ ${1:-} == -* ]]; then
   die 2 "unknown option '$1' (--help)"
 fi
@@ -89,7 +92,11 @@ export PCN_BUILD_DIR=$BUILD_DIR
 run_step "[1/3] configuring with $sanitizer…" "$BUILD_DIR/logs/configure.log" configure_sanitized ||
   die 1 "configuring failed"
 targets=(all)
-[[ $core_only == ON || $# -gt 0 ]] || targets+=(tests)
+if [[ $tests == _rostest_ ]]; then
+  targets+=(rostests)
+elif [[ $core_only == OFF && $# -eq 0 ]]; then
+  targets+=(tests)
+fi
 build "[2/3]" "$source_dir" "$BUILD_DIR" "${targets[@]}" || die 1 "the build failed"
 rm -rf "$BUILD_DIR/reports"
 mkdir -p "$BUILD_DIR/reports"

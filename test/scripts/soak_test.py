@@ -60,6 +60,7 @@ class RefusalTest(unittest.TestCase):
         self.expect("sanitize.sh", ["memory"], "'memory'", "address or thread")
         self.expect("sanitize.sh", ["thread", "--cores"], "--cores")
         self.expect("sanitize.sh", ["thread", "--core", "true"], "--core", "'true'")
+        self.expect("sanitize.sh", ["thread", "--rostests", "true"], "--rostests", "'true'")
         self.expect("fuzz.sh", ["worlds"], "'worlds'", "world_file", "tracks_csv", "conversions")
         self.expect("fuzz.sh", ["--seconds", "0"], "--seconds", "'0'")
         self.expect("fuzz.sh", ["--second", "1"], "--second")
