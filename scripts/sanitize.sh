@@ -32,6 +32,7 @@ set_options() {
   export ASAN_OPTIONS="detect_leaks=1:halt_on_error=1:strict_string_checks=1:$report"
   export UBSAN_OPTIONS="print_stacktrace=1:halt_on_error=1:$report"
   export TSAN_OPTIONS="ignore_noninstrumented_modules=1:detect_deadlocks=0:$report"
+  TSAN_OPTIONS+=":suppressions=$source_dir/test/thread_sanitizer.supp"
 }
 
 # shellcheck disable=SC2317  # run_step calls it
