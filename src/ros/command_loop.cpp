@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kRestTime = 0.2;       // [s] of odometry at rest
 constexpr double kPatience = 5.0;       // [s] for the base to stop before the trip is reported
-constexpr double kTurnPatience = 15.0;  // [s] for the turn at the goal
+constexpr double kTurnPatience = 15.0;  // [s] the same where it has to turn at the goal
 constexpr double kOvershoot = 0.05;     // [m] beyond the tolerance that is let pass
 constexpr int kMostApproaches = 3;      // of a base that comes to rest beyond it
 
@@ -135,9 +135,9 @@ bool CommandLoop::isAtRest(double now, const Drive& drive) {
 }
 
 bool CommandLoop::isOver(double now, const Drive& drive, bool at_rest) const {
-  const double duration = now - drive.ending->since;
   if (at_rest && yawError(drive) == 0.0) return true;
-  return duration > kPatience && (yawError(drive) == 0.0 || duration > kTurnPatience);
+  const bool turns = drive.ending->outcome == Outcome::kReached && yaw_tolerance_ < M_PI;
+  return now - drive.ending->since > (turns ? kTurnPatience : kPatience);
 }
 
 // What is left to turn at the goal [rad]; 0 when it does not matter or is near enough.

@@ -348,6 +348,21 @@ TEST_F(TurnAtTheGoal, TurnsInPlaceToTheHeadingOfTheGoal) {
   EXPECT_NEAR(drive_.inputs.robot->pose.position.x(), 19.9, 1e-6);
 }
 
+TEST_F(TurnAtTheGoal, SlowTurnIsGivenTheTimeToComeToRest) {
+  drive_.inputs.robot->pose.position = Point(19.9, 0.0);
+  double& heading = drive_.inputs.robot->pose.heading;
+  const double begin = now_;
+  for (int i = 0; i < 400 && !finished_; ++i) {
+    const double before = heading;
+    run(0.05);
+    heading = before + 0.25 * wrapAngle(heading - before);
+  }
+  ASSERT_TRUE(finished_);
+  EXPECT_EQ(finished_->outcome, Outcome::kReached) << finished_->text;
+  EXPECT_NEAR(heading, 2.0, 0.11);
+  EXPECT_GT(now_ - begin, 6.0);
+}
+
 TEST_F(TurnAtTheGoal, BaseThatDoesNotTurnFails) {
   drive_.inputs.robot->pose.position = Point(19.9, 0.0);
   for (int i = 0; i < 400 && !finished_; ++i) {
