@@ -8,6 +8,7 @@
 #include <rosgraph_msgs/Log.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -142,7 +143,7 @@ class NavigationClient {
   std::uint32_t most_trials_ = 0;
   int status_count_ = 0;
   int command_count_ = 0;
-  int feedback_count_ = 0;
+  std::atomic<int> feedback_count_{0};
   double top_speed_ = 0.0;
   bool are_commands_finite_ = true;
 };
