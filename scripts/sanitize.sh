@@ -14,7 +14,8 @@ usage: scripts/sanitize.sh address|thread [--core | --rostests | COMMAND...]
 
 Builds with AddressSanitizer and UndefinedBehaviorSanitizer, or with ThreadSanitizer, and runs under it
 
-  nothing more   every test of ctest but those of launch files, documents and the panel in Qt
+  nothing more   every test of ctest but those of launch files, documents, the panel in Qt and nodelets,
+                 whose manager is not instrumented
   --core         the tests that need no ROS, in a build of their own
   --rostests     the tests of the nodes
   COMMAND...     a command, in the environment of the build, such as
@@ -47,8 +48,9 @@ configure_sanitized() {
 # shellcheck disable=SC2317  # run_step calls it
 run_tests() {
   cd "$BUILD_DIR"
+  local others='roslaunch|readme|_doc|recipe|help|doxygen|headers_are|convert|plot|core_is_free'
   ctest --timeout 1800 --output-on-failure -R "$tests" \
-    -E 'roslaunch|readme|_doc|recipe|help|doxygen|headers_are|convert|plot|core_is_free|rostest_test_panel'
+    -E "$others|rostest_test_(panel|nodelets)"
 }
 
 # Sanitizers write a file for each process that has something to report.
