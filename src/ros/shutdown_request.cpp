@@ -3,18 +3,21 @@
 
 #include <ros/xmlrpc_manager.h>
 
+#include <atomic>
 #include <csignal>
 
 namespace pomdp_crowd_nav {
 namespace {
 
-volatile std::sig_atomic_t is_requested = 0;
+// From a signal or from another thread.
+std::atomic<bool> is_requested{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "a handler of signals may not wait");
 
-void request(int) { is_requested = 1; }
+void request(int) { is_requested = true; }
 
 // As roscpp answers `rosnode kill` and the master.
 void onShutdown(XmlRpc::XmlRpcValue&, XmlRpc::XmlRpcValue& result) {
-  is_requested = 1;
+  is_requested = true;
   result = ros::xmlrpc::responseInt(1, "", 0);
 }
 
@@ -28,6 +31,6 @@ void catchShutdownRequests() {
   ros::XMLRPCManager::instance()->bind("shutdown", onShutdown);
 }
 
-bool isShutdownRequested() { return is_requested != 0; }
+bool isShutdownRequested() { return is_requested; }
 
 }  // namespace pomdp_crowd_nav
