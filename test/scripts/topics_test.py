@@ -85,13 +85,15 @@ def layers_in(header, text):
 
 def of_code(root, program):
     texts = sources_of(root, program)
+    actions = {path: text for path, text in texts.items() if path.stem == "move_base_server"}
+    texts = {path: text for path, text in texts.items() if path not in actions}
     everything = "\n".join(texts.values())
     found = {row for mark, row in OF_LIBRARIES.items() if mark in everything}
     for path, text in texts.items():
         found.update(calls_in(path, text, everything))
     found.update(layers_in(everything, everything))
-    for kind in re.findall(r"actionlib::ActionServer<([\w:]+)>", everything):
-        name = re.search(r"server_\(\s*node, \"(\w+)\"", everything)
+    for kind in re.findall(r"actionlib::ActionServerBase<([\w:]+)>", "\n".join(actions.values())):
+        name = re.search(r"server_\(\s*ros::NodeHandle\(node, \"(\w+)\"", everything)
         found.add(("action", name[1], type_of(kind)))
     for name in re.findall(r'= subscribe\("(/\w+)"', everything):  # TransformFeed
         found.add(("subscribes", name, "tf2_msgs/TFMessage"))

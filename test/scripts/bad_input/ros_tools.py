@@ -2,6 +2,7 @@
 """Tools that talk to ROS."""
 import pathlib
 import subprocess
+import sys
 import time
 import unittest
 
@@ -13,9 +14,15 @@ from geometry_msgs.msg import Point, TransformStamped
 from std_msgs.msg import Header
 from tf2_msgs.msg import TFMessage
 
-from pomdp_crowd_nav.msg import People, Person
-
 from bad_input.refusal import PACKAGE, SHARE, TRACKS_HEADER, BadInputTest
+
+
+def own_messages():
+    """Those of the build whose programs are tested; rostest need not have its environment."""
+    program = pathlib.Path(roslib.packages.find_node(PACKAGE, "learn_destinations")[0])
+    sys.path.insert(0, str(program.parents[1] / "python3/dist-packages"))
+    from pomdp_crowd_nav import msg  # pylint: disable=import-outside-toplevel
+    return msg
 
 
 class LearnDestinationsTest(BadInputTest):
@@ -38,13 +45,14 @@ class LearnDestinationsTest(BadInputTest):
         odom = TransformStamped(header=Header(frame_id="map"), child_frame_id="odom")
         odom.transform.translation.x, odom.transform.rotation.w = 100.0, 1.0
         path = str(self.folder / "people.bag")
+        msg = own_messages()
         with rosbag.Bag(path, "w") as bag:
             bag.write("/tf_static", TFMessage([odom]), rospy.Time(1000))
             for t, person, x, y in self.rows():
                 stamp = rospy.Time(1000 + t)
-                bag.write("/people", People(
+                bag.write("/people", msg.People(
                     header=Header(stamp=stamp, frame_id="odom"),
-                    people=[Person(name=str(person), position=Point(x, y, 0.0))]), stamp)
+                    people=[msg.Person(name=str(person), position=Point(x, y, 0.0))]), stamp)
         return path
 
     def expect(self, args, *words):
