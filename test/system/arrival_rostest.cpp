@@ -72,10 +72,12 @@ TEST_F(ArrivalTest, GoalOfAnotherFrameIsReachedInPlaceAndHeading) {
   EXPECT_LT(std::abs(wrapAngle(pose_.heading - -2.0)), kYawTolerance + 0.01) << pose_.heading;
 }
 
-// A wall across the field, but for a passage in which somebody stands.
+// The robot begins at the end of a corridor in which somebody stands: it can do nothing but wait,
+// while in the open it would drive about, which the model likes better than to rest.
 TEST_F(ArrivalTest, PersonInANarrowPassageIsWaitedForByName) {
-  map_.add(Point(11.5, 0.0), Point(16.0, 8.5));
-  map_.add(Point(11.5, 11.5), Point(16.0, kField));
+  map_.add(Point(5.0, 4.0), Point(20.0, 9.0));
+  map_.add(Point(5.0, 11.0), Point(20.0, 16.0));
+  map_.add(Point(5.0, 9.0), Point(8.5, 11.0));
   publishMap();
   constexpr std::uint64_t kPerson = 42;
   std::atomic<bool> is_there{true};
@@ -83,7 +85,7 @@ TEST_F(ArrivalTest, PersonInANarrowPassageIsWaitedForByName) {
     if (!is_there) return;
     TrackedPerson person;
     person.track_id = kPerson;
-    person.pose.pose.position.x = 12.8;
+    person.pose.pose.position.x = 12.2;
     person.pose.pose.position.y = 10.0;
     persons.tracks = {person};
   });
@@ -96,7 +98,7 @@ TEST_F(ArrivalTest, PersonInANarrowPassageIsWaitedForByName) {
   EXPECT_TRUE(client_.waitUntil(30.0, is_named)) << status.state_name << ": " << status.stop_cause;
   EXPECT_EQ(status.blocking_person, static_cast<std::int64_t>(kPerson));
   EXPECT_EQ(client_.commandedSpeed(), 0.0);
-  EXPECT_LT(pose_.position.x(), 11.6) << "nearer than 1.2 m";
+  EXPECT_LT(pose_.position.x(), 11.0) << "nearer than 1.2 m";
 
   is_there = false;
   EXPECT_TRUE(client_.waitUntil(20.0, [&] { return status.state == PlannerStatus::DRIVING; }))
