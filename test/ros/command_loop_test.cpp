@@ -1,85 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pomdp_crowd_nav/ros/command_loop.h"
-
-#include <gtest/gtest.h>
+#include "command_loop_test.h"
 
 #include <cmath>
 
 namespace pomdp_crowd_nav {
 namespace {
-
-// Time runs by hand; the base does what it is told.
-class CommandLoopTest : public testing::Test {
- protected:
-  static PlannerNodeParams params() {
-    PlannerNodeParams params;
-    VehicleParams& vehicle = params.navigation.planning.model.vehicle;
-    vehicle.max_speed = 1.0;
-    vehicle.radius = 0.5;
-    vehicle.instant_velocity = false;
-    params.navigation.planning.model.step = 0.5;
-    params.navigation.planning.model.goal_tolerance = 0.5;
-    params.navigation.emergency.reflex_distance = 1.0;
-    return params;
-  }
-
-  explicit CommandLoopTest(const PlannerNodeParams& p = params())
-      : loop_(p),
-        drive_(MotionExecutor(p.navigation.command, p.navigation.planning.model.vehicle, 0.05)) {
-    StaticMap::Obstacles none;
-    drive_.inputs.map = std::make_shared<const StaticMap>(Bounds(), none);
-    drive_.inputs.map_at = now_;
-    drive_.inputs.robot = RobotReading();
-    drive_.inputs.first_tracks_at = now_ - 10.0;
-    drive_.goal = Goal{1, Pose{Point(20.0, 0.0), 2.0}};
-    drive_.prepared = true;
-    drive_.counts.decisions = 1;
-    refreshInputs();
-  }
-
-  void refreshInputs() {
-    drive_.inputs.robot->measured_at = now_;
-    drive_.inputs.tracks_at = now_;
-  }
-
-  // Ticks for a while; the inputs stay fresh unless they are silent.
-  CommandLoop::Tick run(double duration) {
-    CommandLoop::Tick last;
-    for (const double end = now_ + duration; now_ < end - 1e-9;) {
-      now_ += 0.05;
-      if (!is_silent_) refreshInputs();
-      last = loop_.tick(now_, drive_);
-      if (last.command) obey(*last.command);
-      if (last.finished) finished_ = last.finished;
-    }
-    return last;
-  }
-
-  void obey(const BaseCommand& command) {
-    RobotReading& robot = *drive_.inputs.robot;
-    robot.velocity = rotated(robot.pose.heading, command.velocity);
-    robot.yaw_rate = command.yaw_rate;
-    robot.pose.position += 0.05 * robot.velocity;
-    robot.pose.heading = wrapAngle(robot.pose.heading + 0.05 * command.yaw_rate);
-  }
-
-  void cruise() {
-    StepMotion motion;
-    motion.start_velocity = motion.end_velocity = Point(0.8, 0.0);
-    motion.duration = 60.0;
-    motion.instant = false;
-    drive_.executor.follow(motion, now_);
-    run(1.0);
-  }
-
-  double speed() const { return drive_.inputs.robot->velocity.norm(); }
-
-  double now_ = 100.0;  // [s]
-  bool is_silent_ = false;
-  CommandLoop loop_;
-  Drive drive_;
-  std::optional<Ending> finished_;
-};
 
 TEST_F(CommandLoopTest, FollowsTheMotion) {
   cruise();
@@ -328,79 +253,6 @@ TEST_F(CommandLoopTest, CancelWithoutOdometryIsReportedButZerosGoOn) {
   EXPECT_TRUE(finished_);
   ASSERT_TRUE(last.command);
   EXPECT_EQ(last.command->velocity.norm(), 0.0);
-}
-
-class TurnAtTheGoal : public CommandLoopTest {
- protected:
-  static PlannerNodeParams turningParams() {
-    PlannerNodeParams turning = params();
-    turning.navigation.yaw_goal_tolerance = 0.1;
-    return turning;
-  }
-  TurnAtTheGoal() : CommandLoopTest(turningParams()) {}
-};
-
-TEST_F(TurnAtTheGoal, TurnsInPlaceToTheHeadingOfTheGoal) {
-  drive_.inputs.robot->pose.position = Point(19.9, 0.0);
-  run(8.0);
-  ASSERT_TRUE(finished_);
-  EXPECT_NEAR(drive_.inputs.robot->pose.heading, 2.0, 0.15);
-  EXPECT_NEAR(drive_.inputs.robot->pose.position.x(), 19.9, 1e-6);
-}
-
-TEST_F(TurnAtTheGoal, SlowTurnIsGivenTheTimeToComeToRest) {
-  drive_.inputs.robot->pose.position = Point(19.9, 0.0);
-  double& heading = drive_.inputs.robot->pose.heading;
-  const double begin = now_;
-  for (int i = 0; i < 400 && !finished_; ++i) {
-    const double before = heading;
-    run(0.05);
-    heading = before + 0.25 * wrapAngle(heading - before);
-  }
-  ASSERT_TRUE(finished_);
-  EXPECT_EQ(finished_->outcome, Outcome::kReached) << finished_->text;
-  EXPECT_NEAR(heading, 2.0, 0.11);
-  EXPECT_GT(now_ - begin, 6.0);
-}
-
-TEST_F(TurnAtTheGoal, BaseThatDoesNotTurnFails) {
-  drive_.inputs.robot->pose.position = Point(19.9, 0.0);
-  for (int i = 0; i < 400 && !finished_; ++i) {
-    run(0.05);
-    drive_.inputs.robot->pose.heading = drive_.inputs.robot->yaw_rate = 0.0;
-  }
-  ASSERT_TRUE(finished_);
-  EXPECT_EQ(finished_->outcome, Outcome::kFailed);
-  EXPECT_EQ(finished_->text, "failed: the base is 2.00 rad off the heading of the goal");
-}
-
-TEST_F(TurnAtTheGoal, CancelEndsTheTurn) {
-  drive_.inputs.robot->pose.position = Point(19.9, 0.0);
-  run(1.0);
-  ASSERT_GT(drive_.inputs.robot->yaw_rate, 0.0);
-  cancelTrip(now_, drive_);
-  run(2.0);
-  EXPECT_EQ(drive_.inputs.robot->yaw_rate, 0.0);
-  EXPECT_LT(drive_.inputs.robot->pose.heading, 1.5);
-  ASSERT_TRUE(finished_);
-  EXPECT_EQ(finished_->outcome, Outcome::kCancelled);
-}
-
-TEST_F(TurnAtTheGoal, PauseHoldsTheTurn) {
-  drive_.inputs.robot->pose.position = Point(19.9, 0.0);
-  run(1.0);
-  drive_.paused = true;
-  run(2.0);
-  EXPECT_EQ(drive_.inputs.robot->yaw_rate, 0.0);
-  const double heading = drive_.inputs.robot->pose.heading;
-  run(20.0);
-  EXPECT_EQ(drive_.inputs.robot->pose.heading, heading);
-  EXPECT_FALSE(finished_);
-  drive_.paused = false;
-  run(8.0);
-  ASSERT_TRUE(finished_);
-  EXPECT_EQ(finished_->outcome, Outcome::kReached);
-  EXPECT_NEAR(drive_.inputs.robot->pose.heading, 2.0, 0.15);
 }
 
 TEST(PoseJump, IsAWayThatNoBaseGoes) {
