@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pomdp_crowd_nav/panel/call_runner.h"
+#include "pomdp_crowd_nav/ros/panel/call_runner.h"
 
 #include <chrono>
 #include <exception>

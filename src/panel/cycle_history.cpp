@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pomdp_crowd_nav/panel/cycle_history.h"
+#include "pomdp_crowd_nav/ros/panel/cycle_history.h"
 
 #include <algorithm>
 #include <cmath>

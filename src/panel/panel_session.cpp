@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pomdp_crowd_nav/panel/panel_session.h"
+#include "pomdp_crowd_nav/ros/panel/panel_session.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pomdp_crowd_nav/panel/robot_calls.h"
+#include "pomdp_crowd_nav/ros/panel/robot_calls.h"
 
 #include <dynamic_reconfigure/Reconfigure.h>
 #include <dynamic_reconfigure/config_tools.h>

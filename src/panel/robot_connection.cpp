@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pomdp_crowd_nav/panel/robot_connection.h"
+#include "pomdp_crowd_nav/ros/panel/robot_connection.h"
 
 #include <ros/master.h>
 

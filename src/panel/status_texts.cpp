@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pomdp_crowd_nav/panel/status_texts.h"
+#include "pomdp_crowd_nav/ros/panel/status_texts.h"
 
 #include <fmt/format.h>
 

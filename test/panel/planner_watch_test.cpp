@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pomdp_crowd_nav/panel/planner_watch.h"
+#include "pomdp_crowd_nav/ros/panel/planner_watch.h"
 
 #include <gtest/gtest.h>
 

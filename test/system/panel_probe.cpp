@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "pomdp_crowd_nav/panel/panel_session.h"
 #include "pomdp_crowd_nav/ros/guarded.h"
+#include "pomdp_crowd_nav/ros/panel/panel_session.h"
 
 namespace pomdp_crowd_nav {
 namespace {

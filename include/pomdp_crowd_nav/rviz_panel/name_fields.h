@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <functional>
 
-#include "pomdp_crowd_nav/panel/panel_names.h"
+#include "pomdp_crowd_nav/ros/panel/panel_names.h"
 
 class QFormLayout;
 class QLineEdit;

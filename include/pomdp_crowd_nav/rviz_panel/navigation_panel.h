@@ -5,7 +5,7 @@
 
 #include <QTimer>
 
-#include "pomdp_crowd_nav/panel/panel_session.h"
+#include "pomdp_crowd_nav/ros/panel/panel_session.h"
 
 namespace pomdp_crowd_nav {
 

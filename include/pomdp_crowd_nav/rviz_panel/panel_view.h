@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "pomdp_crowd_nav/panel/panel_session.h"
+#include "pomdp_crowd_nav/ros/panel/panel_session.h"
 
 class QComboBox;
 class QFormLayout;

@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <optional>
 
-#include "pomdp_crowd_nav/panel/cycle_history.h"
+#include "pomdp_crowd_nav/ros/panel/cycle_history.h"
 
 namespace pomdp_crowd_nav {
 

@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "pomdp_crowd_nav/panel/call_runner.h"
-#include "pomdp_crowd_nav/panel/cycle_history.h"
-#include "pomdp_crowd_nav/panel/panel_controls.h"
-#include "pomdp_crowd_nav/panel/panel_names.h"
-#include "pomdp_crowd_nav/panel/planner_watch.h"
-#include "pomdp_crowd_nav/panel/robot_calls.h"
-#include "pomdp_crowd_nav/panel/robot_connection.h"
-#include "pomdp_crowd_nav/panel/robot_link.h"
+#include "pomdp_crowd_nav/ros/panel/call_runner.h"
+#include "pomdp_crowd_nav/ros/panel/cycle_history.h"
+#include "pomdp_crowd_nav/ros/panel/panel_controls.h"
+#include "pomdp_crowd_nav/ros/panel/panel_names.h"
+#include "pomdp_crowd_nav/ros/panel/planner_watch.h"
+#include "pomdp_crowd_nav/ros/panel/robot_calls.h"
+#include "pomdp_crowd_nav/ros/panel/robot_connection.h"
+#include "pomdp_crowd_nav/ros/panel/robot_link.h"
 
 namespace pomdp_crowd_nav {
 

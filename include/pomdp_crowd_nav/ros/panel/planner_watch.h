@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "pomdp_crowd_nav/panel/status_texts.h"
 #include "pomdp_crowd_nav/ros/messages.h"
+#include "pomdp_crowd_nav/ros/panel/status_texts.h"
 
 namespace pomdp_crowd_nav {
 

@@ -9,8 +9,8 @@
 #include <optional>
 #include <string>
 
-#include "pomdp_crowd_nav/panel/call_runner.h"
-#include "pomdp_crowd_nav/panel/panel_names.h"
+#include "pomdp_crowd_nav/ros/panel/call_runner.h"
+#include "pomdp_crowd_nav/ros/panel/panel_names.h"
 
 namespace pomdp_crowd_nav {
 

@@ -3,10 +3,10 @@
 
 #include <memory>
 
-#include "pomdp_crowd_nav/panel/call_runner.h"
-#include "pomdp_crowd_nav/panel/panel_names.h"
-#include "pomdp_crowd_nav/panel/robot_calls.h"
-#include "pomdp_crowd_nav/panel/robot_link.h"
+#include "pomdp_crowd_nav/ros/panel/call_runner.h"
+#include "pomdp_crowd_nav/ros/panel/panel_names.h"
+#include "pomdp_crowd_nav/ros/panel/robot_calls.h"
+#include "pomdp_crowd_nav/ros/panel/robot_link.h"
 
 namespace pomdp_crowd_nav {
 

@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "pomdp_crowd_nav/panel/panel_names.h"
 #include "pomdp_crowd_nav/ros/guarded.h"
 #include "pomdp_crowd_nav/ros/messages.h"
+#include "pomdp_crowd_nav/ros/panel/panel_names.h"
 
 namespace pomdp_crowd_nav {
 
