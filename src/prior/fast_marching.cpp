@@ -41,13 +41,12 @@ void FastMarching::run() {
       if (cells_[cell].time != kNever) updateNeighbours(cell);
     }
   }
-  while (!queue_.empty()) {
-    const Trial earliest = queue_.front();
-    std::pop_heap(queue_.begin(), queue_.end());
-    queue_.pop_back();
-    if (earliest.time != cells_[earliest.cell].trial_time) continue;  // improved since, or accepted
-    cells_[earliest.cell].time = earliest.time;
-    cells_[earliest.cell].trial_time = 0.0F;
+  while (!queue_.isEmpty()) {
+    const TrialQueue::Trial earliest = queue_.pop();
+    Cell& cell = cells_[earliest.cell];
+    if (earliest.time != cell.trial_time) continue;  // improved since, or accepted
+    cell.time = earliest.time;
+    cell.trial_time = 0.0F;
     updateNeighbours(earliest.cell);
   }
 }
@@ -65,9 +64,8 @@ void FastMarching::update(int cell) {
   const auto time = static_cast<float>(found.time);
   if (!(time < cells_[cell].trial_time)) return;
   cells_[cell].trial_time = time;
-  cells_[cell].path_length = static_cast<float>(found.path_length);
-  queue_.push_back({time, cell});
-  std::push_heap(queue_.begin(), queue_.end());
+  cells_[cell].path_length = static_cast<float>(pathLength(found, cells_[cell].crossing_time));
+  queue_.push({time, cell});
 }
 
 // A second-order difference needs a second cell in line that was reached before the first.
@@ -86,41 +84,44 @@ FastMarching::Upwind FastMarching::upwind(int cell, int axis_step, bool second_o
 // The most accurate causal solution: both axes before one, second order before first.
 FastMarching::Arrival FastMarching::arrival(int cell) const {
   const double crossing_time = cells_[cell].crossing_time;
-  Arrival best{kNever, 0.0};
+  Arrival best{kNever, {}, {}};
   for (const bool second_order : {true, false}) {
     const Upwind x = upwind(cell, 1, second_order);
     const Upwind y = upwind(cell, stride_, second_order);
     if (x.weight > 0.0 && y.weight > 0.0) {
-      const Arrival both = solve(x, y, crossing_time, resolution_);
+      const Arrival both = solve(x, y, crossing_time);
       if (both.time != kNever) return both;
     }
     for (const Upwind& axis : {x, y}) {
       if (axis.weight == 0.0) continue;
-      const Arrival one = solve(axis, {}, crossing_time, resolution_);
+      const Arrival one = solve(axis, {}, crossing_time);
       if (one.time < best.time) best = one;
     }
   }
   return best;
 }
 
-// Larger root T of sum weight (T - time)^2 = crossing_time^2. The path length l changes along the
-// gradient of T only: sum weight (T - time) (l - path_length) = crossing_time * resolution.
-FastMarching::Arrival FastMarching::solve(const Upwind& x, const Upwind& y, double crossing_time,
-                                          double resolution) {
+// Larger root T of sum weight (T - time)^2 = crossing_time^2.
+FastMarching::Arrival FastMarching::solve(const Upwind& x, const Upwind& y, double crossing_time) {
   const double weight = x.weight + y.weight;
   const double lag = y.weight > 0.0 ? y.time - x.time : 0.0;
   const double discriminant =
       weight * crossing_time * crossing_time - x.weight * y.weight * lag * lag;
-  if (discriminant < 0.0) return {kNever, 0.0};
+  if (discriminant < 0.0) return {kNever, x, y};
   const double time = x.time + (y.weight * lag + std::sqrt(discriminant)) / weight;
-  if (time < std::max(x.nearest, y.nearest)) return {kNever, 0.0};
+  if (time < std::max(x.nearest, y.nearest)) return {kNever, x, y};
+  return {time, x, y};
+}
 
-  const double slope_x = x.weight * (time - x.time);
-  const double slope_y = y.weight * (time - y.time);
-  const double length =
-      (crossing_time * resolution + slope_x * x.path_length + slope_y * y.path_length) /
-      (slope_x + slope_y);
-  return {time, length};
+// The path length l changes along the gradient of T only:
+// sum weight (T - time) (l - path_length) = crossing_time * resolution.
+double FastMarching::pathLength(const Arrival& arrival, double crossing_time) const {
+  const Upwind& x = arrival.x;
+  const Upwind& y = arrival.y;
+  const double slope_x = x.weight * (arrival.time - x.time);
+  const double slope_y = y.weight * (arrival.time - y.time);
+  return (crossing_time * resolution_ + slope_x * x.path_length + slope_y * y.path_length) /
+         (slope_x + slope_y);
 }
 
 std::vector<float> FastMarching::withoutFrame(float Cell::*value) const {

@@ -3,14 +3,15 @@
 
 #include <vector>
 
+#include "pomdp_crowd_nav/prior/trial_queue.h"
+
 namespace pomdp_crowd_nav {
 
 // The marching itself: accept() the cells where the front starts, run(), read the result.
 //
 // The cells lie in one flat array, all of a cell side by side for the cache, with a frame two cells
 // wide around them, which is never entered, so that no neighbour needs a test for the border. The
-// queue of trial cells is a binary heap that keeps outdated entries and drops them when they come
-// up.
+// queue of trial cells keeps outdated entries and drops them when they come up.
 class FastMarching {
  public:
   // `speed` [m/s] row by row, positive; `resolution` [m] per cell.
@@ -32,11 +33,6 @@ class FastMarching {
     float trial_time = 0.0F;     // [s], best so far; 0 once accepted and in the frame
     float path_length = 0.0F;    // [m]
   };
-  struct Trial {
-    float time;
-    int cell;
-    bool operator<(const Trial& other) const { return time > other.time; }  // earliest on top
-  };
   // Accepted values upwind along one axis: weight * (T - time)^2 is the squared difference.
   struct Upwind {
     double weight = 0.0;       // 0 without an accepted neighbour
@@ -45,8 +41,8 @@ class FastMarching {
     double nearest = 0.0;      // [s], of the neighbour itself
   };
   struct Arrival {
-    double time;         // [s], infinite without a causal solution
-    double path_length;  // [m]
+    double time = 0.0;  // [s], infinite without a causal solution
+    Upwind x, y;        // where from
   };
 
   static constexpr int kFrame = 2;
@@ -56,13 +52,14 @@ class FastMarching {
   void update(int cell);
   Upwind upwind(int cell, int axis_step, bool second_order) const;
   Arrival arrival(int cell) const;
-  static Arrival solve(const Upwind& x, const Upwind& y, double crossing_time, double resolution);
+  static Arrival solve(const Upwind& x, const Upwind& y, double crossing_time);
+  double pathLength(const Arrival& arrival, double crossing_time) const;
   std::vector<float> withoutFrame(float Cell::*value) const;
 
   int columns_, rows_, stride_;
   double resolution_;
   std::vector<Cell> cells_;
-  std::vector<Trial> queue_;
+  TrialQueue queue_;
 };
 
 }  // namespace pomdp_crowd_nav
