@@ -12,8 +12,9 @@ namespace {
 
 constexpr double kRounding = 1e-6;  // [cells]
 
-int clampedFloor(double value, int least, int most) {
-  return static_cast<int>(std::clamp(std::floor(value), double(least), double(most)));
+// Of a value in [0, most], and the nearer of these beside it.
+int clampedFloor(double value, int most) {
+  return static_cast<int>(std::clamp(value, 0.0, static_cast<double>(most)));
 }
 
 // A length that is a whole number of cells but for rounding gets no extra cell.
@@ -30,23 +31,23 @@ bool GridFrame::contains(const Point& point) const {
 }
 
 int GridFrame::columnOf(const Point& point) const {
-  return clampedFloor((point.x() - origin.x()) / resolution, 0, columns - 1);
+  return clampedFloor((point.x() - origin.x()) / resolution, columns - 1);
 }
 
 int GridFrame::rowOf(const Point& point) const {
-  return clampedFloor((point.y() - origin.y()) / resolution, 0, rows - 1);
+  return clampedFloor((point.y() - origin.y()) / resolution, rows - 1);
 }
 
 BilinearWeights bilinearWeights(const GridFrame& grid, const Point& point) {
   const double x = (point.x() - grid.origin.x()) / grid.resolution - 0.5;
   const double y = (point.y() - grid.origin.y()) / grid.resolution - 0.5;
-  const int column = clampedFloor(x, 0, grid.columns - 2);
-  const int row = clampedFloor(y, 0, grid.rows - 2);
+  const int column = clampedFloor(x, grid.columns - 2);
+  const int row = clampedFloor(y, grid.rows - 2);
   return {grid.index(column, row), x - column, y - row};
 }
 
-double interpolate(const GridFrame& grid, const std::vector<float>& values, const Point& point) {
-  const BilinearWeights w = bilinearWeights(grid, point);
+double interpolate(const GridFrame& grid, const std::vector<float>& values,
+                   const BilinearWeights& w) {
   const float* lower = &values[w.lower_left];
   const float* upper = lower + grid.columns;
   const double below = (1.0 - w.right) * lower[0] + w.right * lower[1];

@@ -103,22 +103,23 @@ StaticMap::StaticMap(const Bounds& bounds, Obstacles obstacles)
 }
 
 double StaticMap::clearance(const Point& point) const {
+  if (!grid_distance_) return index_->clearance(point);
+  if (index_->isEmpty()) return gridClearance(point);
   return std::min(index_->clearance(point), gridClearance(point));
 }
 
 // Off the grid: the nearest point of the rectangle of cell centres is never at less than a right
 // angle from any blocked centre, so the two legs give a distance that is never too large.
 double StaticMap::gridClearance(const Point& point) const {
-  if (!grid_distance_) return std::numeric_limits<double>::infinity();
   const OccupancyGrid& grid = *obstacles_->grid;
-  const double half_cell = 0.5 * grid.resolution;
   const Eigen::Array2d size(grid.columns, grid.rows);
   const Eigen::Array2d place = (point - grid.origin).array() / grid.resolution;  // [cells]
-  const Eigen::Array2d cell = place.floor().max(0.0).min(size - 1.0);
+  const Eigen::Array2d cell = place.max(0.0).min(size - 1.0);
   const double distance = (*grid_distance_)[static_cast<size_t>(cell.y()) * grid.columns +
                                             static_cast<size_t>(cell.x())];
   if ((place >= 0.0).all() && (place <= size).all()) return distance;
 
+  const double half_cell = 0.5 * grid.resolution;
   const Eigen::Array2d edge = place.max(0.5).min(size - 0.5);
   const double beyond = grid.resolution * (place - edge).matrix().norm();
   return std::hypot(beyond, std::max(0.0, distance)) - half_cell;

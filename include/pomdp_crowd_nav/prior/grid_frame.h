@@ -39,7 +39,12 @@ struct BilinearWeights {
 // The grid needs at least 2 x 2 cells.
 BilinearWeights bilinearWeights(const GridFrame& grid, const Point& point);
 
-double interpolate(const GridFrame& grid, const std::vector<float>& values, const Point& point);
+double interpolate(const GridFrame& grid, const std::vector<float>& values,
+                   const BilinearWeights& weights);
+inline double interpolate(const GridFrame& grid, const std::vector<float>& values,
+                          const Point& point) {
+  return interpolate(grid, values, bilinearWeights(grid, point));
+}
 
 // Grid from the lower left corner of the bounds that covers them, of at least 2 x 2 cells. Throws
 // std::invalid_argument when the resolution is not positive or asks for more than 1e8 cells.

@@ -22,6 +22,8 @@ class ObstacleIndex {
   // closed polygon; infinite without shapes. Points off the bounds are looked up one by one.
   double clearance(const Point& point) const;
 
+  bool isEmpty() const { return shapes_.empty(); }
+
  private:
   // A circle is the segment from its centre to its centre, with a radius.
   struct Shape {
