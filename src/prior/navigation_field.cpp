@@ -26,14 +26,9 @@ NavigationField::NavigationField(const RolloutPrior& prior, const ClearanceGrid&
     : bounds_(clearances.map.bounds()),
       goal_(prior.goal()),
       has_obstacles_(clearances.map.hasObstacles()),
-      is_straight_line_(prior.isStraightLine()) {
+      is_straight_line_(prior.isStraightLine()),
+      raster_(clearances.grid) {
   const GridFrame& grid = clearances.grid;
-  raster_.min_x = static_cast<float>(grid.origin.x());
-  raster_.min_y = static_cast<float>(grid.origin.y());
-  raster_.cells_per_meter = static_cast<float>(1.0 / grid.resolution);
-  raster_.last_column = static_cast<float>(grid.columns - 1);
-  raster_.last_row = static_cast<float>(grid.rows - 1);
-  raster_.columns = grid.columns;
   const size_t count = grid.cellCount();
   directions_.reserve(count);
   clearances_.reserve(count);

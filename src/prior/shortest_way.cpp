@@ -29,7 +29,7 @@ void validate(const ShortestWay::Params& p) {
   require("goal_tolerance", p.goal_tolerance);
 }
 
-GridFrame frameOf(const NavigationField::Raster& raster) {
+GridFrame frameOf(const CellRaster& raster) {
   return {{raster.min_x, raster.min_y},
           1.0 / raster.cells_per_meter,
           raster.columns,
@@ -203,7 +203,7 @@ double ShortestWay::mostNearGoal(const GridFrame& grid, const Point& goal, doubl
 
 float ShortestWay::lengthFrom(float x, float y) const {
   if (lengths_.empty() || field_.clearances()[field_.cellOf(x, y)] <= clearance_) return 0.0F;
-  const NavigationField::Raster& raster = field_.raster();
+  const CellRaster& raster = field_.raster();
   const float right = (x - raster.min_x) * raster.cells_per_meter - 0.5F;
   const float up = (y - raster.min_y) * raster.cells_per_meter - 0.5F;
   const float inner_right = std::clamp(right, 0.0F, raster.last_column);

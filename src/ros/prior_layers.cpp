@@ -25,7 +25,7 @@ struct Sampling {
   int rows = 1;
 };
 
-Sampling samplingOf(const NavigationField::Raster& raster) {
+Sampling samplingOf(const CellRaster& raster) {
   const long columns = raster.columns;
   const long rows = static_cast<long>(raster.last_row) + 1;
   const double excess = static_cast<double>(columns * rows) / kMaxArrivalCells;
@@ -35,7 +35,7 @@ Sampling samplingOf(const NavigationField::Raster& raster) {
 }
 
 std::vector<NavigationCell> sampled(const NavigationField& field, const Sampling& sampling) {
-  const NavigationField::Raster& raster = field.raster();
+  const CellRaster& raster = field.raster();
   const float cell = static_cast<float>(sampling.stride) / raster.cells_per_meter;
   std::vector<NavigationCell> cells;
   cells.reserve(static_cast<size_t>(sampling.columns) * sampling.rows);

@@ -42,7 +42,7 @@ template <class Value>
 PCN_INLINE typename MaskOf<Value>::Type cellsOf(const NavigationField& field, const Value& x,
                                                 const Value& y) {
   using Mask = typename MaskOf<Value>::Type;
-  const NavigationField::Raster& raster = field.raster();
+  const CellRaster& raster = field.raster();
   const Value zero = spread<Value>(raster.zero);
   const Value from_left = (x - raster.min_x) * raster.cells_per_meter;
   const Value from_bottom = (y - raster.min_y) * raster.cells_per_meter;

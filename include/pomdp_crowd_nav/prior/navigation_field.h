@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "pomdp_crowd_nav/prior/cell_raster.h"
 #include "pomdp_crowd_nav/prior/clearance_grid.h"
 #include "pomdp_crowd_nav/prior/rollout_prior.h"
 #include "pomdp_crowd_nav/world/static_map.h"
@@ -36,15 +37,6 @@ class NavigationField {
   // The prior must be of the same map.
   NavigationField(const RolloutPrior& prior, const ClearanceGrid& clearances);
 
-  // How a place finds its cell. Cells are numbered row by row.
-  struct Raster {
-    float min_x = 0.0F, min_y = 0.0F;  // [m]
-    float cells_per_meter = 1.0F;
-    float zero = 0.0F;  // as data, for which compilers make better code than for a constant
-    float last_column = 0.0F, last_row = 0.0F;
-    int columns = 1;
-  };
-
   NavigationCell at(float x, float y) const {
     const auto cell = static_cast<size_t>(cellOf(x, y));
     const auto direction = static_cast<std::uint32_t>(directions_[cell]);
@@ -53,12 +45,8 @@ class NavigationField {
             clearances_[cell], distances_[cell]};
   }
 
-  int cellOf(float x, float y) const {
-    return clamped((y - raster_.min_y) * raster_.cells_per_meter, raster_.last_row) *
-               raster_.columns +
-           clamped((x - raster_.min_x) * raster_.cells_per_meter, raster_.last_column);
-  }
-  const Raster& raster() const { return raster_; }
+  int cellOf(float x, float y) const { return raster_.cellOf(x, y); }
+  const CellRaster& raster() const { return raster_; }
   const PackedDirection* directions() const { return directions_.data(); }
   const float* clearances() const { return clearances_.data(); }  // [m]
 
@@ -68,16 +56,11 @@ class NavigationField {
   bool isStraightLine() const { return is_straight_line_; }  // see RolloutPrior
 
  private:
-  static int clamped(float cell, float last) {
-    const float inside = cell > 0.0F ? cell : 0.0F;
-    return static_cast<int>(inside < last ? inside : last);
-  }
-
   Bounds bounds_;
   Point goal_;
   bool has_obstacles_;
   bool is_straight_line_;
-  Raster raster_;
+  CellRaster raster_;
   std::vector<PackedDirection> directions_;
   std::vector<float> clearances_;
   std::vector<float> distances_;
