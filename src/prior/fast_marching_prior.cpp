@@ -61,33 +61,49 @@ FastMarchingPrior::FastMarchingPrior(const SpeedMap& speed_map, const Point& goa
     : field_(speed_map, goal), directions_(descentDirections(field_, speed_map)) {}
 
 // By the length of the path, not of the straight line, which may cross a wall.
-bool FastMarchingPrior::isNearGoal(const Point& position) const {
-  return field_.pathLengthAt(position) < kStraightCells * field_.grid().resolution;
+bool FastMarchingPrior::isNearGoal(double path_length) const {
+  return path_length < kStraightCells * field_.grid().resolution;
+}
+
+// Nearly a unit vector.
+Point FastMarchingPrior::descentAt(const Point& position) const {
+  // Between cells from which different ways lead to the goal, their mean is neither of them.
+  constexpr double kLeastAgreement = 0.95;
+  const GridFrame& grid = field_.grid();
+  const Point half_cell = Point::Constant(0.5 * grid.resolution);
+  const Point last_center = grid.center(grid.columns - 1, grid.rows - 1);
+  const Point place = position.cwiseMax(grid.origin + half_cell).cwiseMin(last_center);
+  const BilinearWeights weights = bilinearWeights(grid, place);
+  const Point direction(interpolate(grid, directions_.x, weights),
+                        interpolate(grid, directions_.y, weights));
+  if (direction.norm() >= kLeastAgreement) return direction;
+  const size_t cell = grid.index(grid.columnOf(position), grid.rowOf(position));
+  return {directions_.x[cell], directions_.y[cell]};
 }
 
 std::optional<double> FastMarchingPrior::directionAt(const Pose& pose) const {
   const Point& position = pose.position;
-  const GridFrame& grid = field_.grid();
-  if (!grid.contains(position)) return std::nullopt;
-  if (isNearGoal(position)) return bearing(position, goal());
-
-  // Between cells from which different ways lead to the goal, their mean is neither of them.
-  constexpr double kLeastAgreement = 0.95;
-  const Point half_cell = Point::Constant(0.5 * grid.resolution);
-  const Point last_center = grid.center(grid.columns - 1, grid.rows - 1);
-  const Point place = position.cwiseMax(grid.origin + half_cell).cwiseMin(last_center);
-  Point direction(interpolate(grid, directions_.x, place), interpolate(grid, directions_.y, place));
-  if (direction.norm() < kLeastAgreement) {
-    const size_t cell = grid.index(grid.columnOf(position), grid.rowOf(position));
-    direction = {directions_.x[cell], directions_.y[cell]};
-  }
-  return bearing({0.0, 0.0}, direction);
+  if (!field_.grid().contains(position)) return std::nullopt;
+  if (isNearGoal(field_.pathLengthAt(position))) return bearing(position, goal());
+  return bearing({0.0, 0.0}, descentAt(position));
 }
 
 double FastMarchingPrior::distanceToGoal(const Point& position) const {
   if (!field_.grid().contains(position)) return std::numeric_limits<double>::infinity();
-  if (isNearGoal(position)) return (position - goal()).norm();
-  return field_.pathLengthAt(position);
+  const double path_length = field_.pathLengthAt(position);
+  return isNearGoal(path_length) ? (position - goal()).norm() : path_length;
+}
+
+Course FastMarchingPrior::courseAt(const Pose& pose) const {
+  const Point& position = pose.position;
+  if (!field_.grid().contains(position)) {
+    return {Point(0.0, 0.0), std::numeric_limits<double>::infinity()};
+  }
+  const double path_length = field_.pathLengthAt(position);
+  if (isNearGoal(path_length)) {
+    return {unitVector(bearing(position, goal())), (position - goal()).norm()};
+  }
+  return {descentAt(position).normalized(), path_length};
 }
 
 }  // namespace pomdp_crowd_nav

@@ -35,12 +35,10 @@ NavigationField::NavigationField(const RolloutPrior& prior, const ClearanceGrid&
   distances_.reserve(count);
   for (int row = 0; row < grid.rows; ++row) {
     for (int column = 0; column < grid.columns; ++column) {
-      const Point center = grid.center(column, row);
-      const auto direction = prior.directionAt({center, 0.0});
-      const Point way = direction ? unitVector(*direction) : Point(0.0, 0.0);
-      directions_.push_back(packDirection(way.x(), way.y()));
+      const Course course = prior.courseAt({grid.center(column, row), 0.0});
+      directions_.push_back(packDirection(course.direction.x(), course.direction.y()));
       clearances_.push_back(finite(clearances.clearance[grid.index(column, row)]));
-      distances_.push_back(finite(prior.distanceToGoal(center)));
+      distances_.push_back(finite(course.distance));
     }
   }
 }

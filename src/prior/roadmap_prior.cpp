@@ -106,4 +106,10 @@ double RoadmapPrior::distanceToGoal(const Point& position) const {
   return way ? way->length : std::numeric_limits<double>::infinity();
 }
 
+Course RoadmapPrior::courseAt(const Pose& pose) const {
+  const std::optional<Way> way = wayFrom(pose.position);
+  if (!way) return {Point(0.0, 0.0), std::numeric_limits<double>::infinity()};
+  return {unitVector(bearing(pose.position, way->target)), way->length};
+}
+
 }  // namespace pomdp_crowd_nav

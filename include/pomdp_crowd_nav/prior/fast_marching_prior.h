@@ -33,10 +33,13 @@ class FastMarchingPrior : public RolloutPrior {
   // True length, also where the path leaves a slow area: not the arrival time.
   double distanceToGoal(const Point& position) const override;
 
+  Course courseAt(const Pose& pose) const override;
+
   const ArrivalTimeField& field() const { return field_; }
 
  private:
-  bool isNearGoal(const Point& position) const;
+  bool isNearGoal(double path_length) const;
+  Point descentAt(const Point& position) const;
 
   ArrivalTimeField field_;
   Directions directions_;

@@ -28,6 +28,7 @@ class RoadmapPrior : public RolloutPrior {
   const Point& goal() const override { return goal_; }
   std::optional<double> directionAt(const Pose& pose) const override;
   double distanceToGoal(const Point& position) const override;
+  Course courseAt(const Pose& pose) const override;
 
   const std::shared_ptr<const Roadmap>& roadmap() const { return roadmap_; }
 
