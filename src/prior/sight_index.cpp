@@ -10,7 +10,7 @@
 namespace pomdp_crowd_nav {
 namespace {
 
-constexpr size_t kCandidatesPerLeaf = 6;
+constexpr size_t kCandidatesPerLeaf = 12;
 constexpr double kHere = 1e-6;      // [m], closer than this one stands on a waypoint
 constexpr double kRounding = 1e-9;  // [m]
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -31,7 +31,7 @@ SightIndex::Square SightIndex::Square::quarter(int quadrant) const {
 SightIndex::SightIndex(const LineOfSight& sight, std::vector<Waypoint> waypoints)
     : sight_(sight),
       waypoints_(std::move(waypoints)),
-      smallest_side_(std::max(0.2, 0.25 * sight.clearance())) {
+      smallest_side_(std::max(0.8, 0.25 * sight.clearance())) {
   const Bounds& bounds = sight_.map().bounds();
   root_ = {0.5 * (bounds.min + bounds.max), 0.5 * (bounds.max - bounds.min).maxCoeff()};
   nodes_.resize(1);
