@@ -132,9 +132,9 @@ BENCHMARK(table)->Arg(200)->Arg(100)->Unit(benchmark::kMillisecond);
 void shortestWay(benchmark::State& state) {
   const PlannerParams params = paramsFor(state);
   const StaticMap map = makeMap(office());
-  const FastMarchingPrior prior(map, {187.0, 187.0}, params.prior);
-  const NavigationField field(prior, map, params.prior.resolution);
-  for (auto _ : state) benchmark::DoNotOptimize(makeShortestWay(params.model, field, map));
+  const ClearanceGrid clearances(map, params.prior.resolution);
+  const Point goal(187.0, 187.0);
+  for (auto _ : state) benchmark::DoNotOptimize(makeShortestWay(params.model, clearances, goal));
 }
 BENCHMARK(shortestWay)->Arg(200)->Arg(100)->Unit(benchmark::kMillisecond);
 

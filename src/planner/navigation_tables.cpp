@@ -7,11 +7,17 @@
 
 namespace pomdp_crowd_nav {
 
-NavigationTables::NavigationTables(std::shared_ptr<const RolloutPrior> prior_of_map,
-                                   const ClearanceGrid& map, const ModelParams& model)
-    : prior(std::move(prior_of_map)),
-      field(*prior, map),
-      shortest_way(makeShortestWay(model, field, map.map)) {}
+// Braces, unlike parentheses, have their arguments made from left to right.
+NavigationTables::NavigationTables(const PriorMaker& make_prior, const ClearanceGrid& map,
+                                   const Point& goal, const ModelParams& model)
+    : NavigationTables{std::async(std::launch::async | std::launch::deferred, makeShortestWay,
+                                  std::cref(model), std::cref(map), goal),
+                       make_prior(), map} {}
+
+NavigationTables::NavigationTables(std::future<std::optional<ShortestWay>> way,
+                                   std::shared_ptr<const RolloutPrior> prior_of_map,
+                                   const ClearanceGrid& map)
+    : prior(std::move(prior_of_map)), field(*prior, map), shortest_way(way.get()) {}
 
 SharedTables::Pointer SharedTables::of(const std::string& prior,
                                        const std::function<Pointer()>& make) {

@@ -26,11 +26,13 @@ std::unique_ptr<Planner> makeExtendedSpace(const char* prior, const Task& task,
   prior_params.robot_radius = params.model.vehicle.radius;
   const auto make = [&] {
     const auto clearances = clearancesOf(task, prior_params);
-    PriorPointer path = makePrior(prior, *clearances, task.goal, prior_params);
-    if (looks_ahead) {
-      path = std::make_shared<LookAheadPrior>(std::move(path), prior_params.look_ahead);
-    }
-    return std::make_shared<const NavigationTables>(std::move(path), *clearances, params.model);
+    const auto make_prior = [&]() -> PriorPointer {
+      PriorPointer path = makePrior(prior, *clearances, task.goal, prior_params);
+      if (!looks_ahead) return path;
+      return std::make_shared<LookAheadPrior>(std::move(path), prior_params.look_ahead);
+    };
+    return std::make_shared<const NavigationTables>(make_prior, *clearances, task.goal,
+                                                    params.model);
   };
   return std::make_unique<ExtendedSpacePlanner>(
       task, task.shared_tables ? task.shared_tables->of(prior, make) : make(), params);

@@ -70,13 +70,13 @@ float UpperBound::tightValue(float speed, float distance) const {
   return std::max(value, 0.0F);
 }
 
-std::optional<ShortestWay> makeShortestWay(const ModelParams& params, const NavigationField& field,
-                                           const StaticMap& map) {
-  if (params.upper_bound != UpperBoundKind::kTight || !map.hasObstacles()) return std::nullopt;
+std::optional<ShortestWay> makeShortestWay(const ModelParams& params, const ClearanceGrid& map,
+                                           const Point& goal) {
+  if (params.upper_bound != UpperBoundKind::kTight || !map.map.hasObstacles()) return std::nullopt;
   // A step is tested at even parts of it, by the cells there, and each part covers at most that
   // share of the longest step (moveRobots). Who is clear of obstacles stays so or earns nothing.
   const double stride = params.vehicle.max_speed * params.step * 2.0 / params.collision_checks;
-  return ShortestWay(field, map, {params.obstacleClearance(), stride, params.goal_tolerance});
+  return ShortestWay(map, goal, {params.obstacleClearance(), stride, params.goal_tolerance});
 }
 
 }  // namespace pomdp_crowd_nav

@@ -29,6 +29,7 @@ void validate(const ShortestWay::Params& p) {
   require("goal_tolerance", p.goal_tolerance);
 }
 
+// The grid as places see it that find their cells with float precision.
 GridFrame frameOf(const CellRaster& raster) {
   return {{raster.min_x, raster.min_y},
           1.0 / raster.cells_per_meter,
@@ -52,16 +53,18 @@ double leastOpenClearance(const ShortestWay::Params& params, const StaticMap& ma
 
 // Speed of the front: 1 in open cells. Beside them it falls over a few cells, for a sharp border
 // is a staircase, and each of its corners would be the source of a steep fan.
-SpeedMap makeSpeedMap(const GridFrame& grid, const float* clearances, double open_clearance) {
+SpeedMap makeSpeedMap(const GridFrame& grid, const std::vector<double>& clearances,
+                      double open_clearance) {
   constexpr double kHalved = 3.0;  // [cells] from the open ones the speed is halved
   constexpr double kLayer = 6.0;   // [cells]
   const auto closed = static_cast<float>(1e-6 * grid.resolution);
   SpeedMap map{grid, std::vector<float>(grid.cellCount(), closed)};
   for (size_t cell = 0; cell < map.speed.size(); ++cell) {
-    const double depth = (open_clearance - clearances[cell]) / grid.resolution;
+    const auto clearance = static_cast<float>(clearances[cell]);
+    const double depth = (open_clearance - clearance) / grid.resolution;
     if (depth < 0.0) {
       map.speed[cell] = 1.0F;
-    } else if (depth < kLayer && clearances[cell] > grid.resolution) {
+    } else if (depth < kLayer && clearance > grid.resolution) {
       map.speed[cell] = static_cast<float>(kHalved / (kHalved + depth));
     }
   }
@@ -166,29 +169,34 @@ class Surface {
 
 }  // namespace
 
-ShortestWay::ShortestWay(const NavigationField& field, const StaticMap& map, const Params& params)
-    : field_(field), clearance_(static_cast<float>(params.clearance)) {
+ShortestWay::ShortestWay(const ClearanceGrid& map, const Point& goal, const Params& params)
+    : raster_(map.grid) {
   validate(params);
-  const GridFrame grid = frameOf(field.raster());
+  const GridFrame grid = frameOf(raster_);
   const double cell = grid.resolution;
-  open_clearance_ = leastOpenClearance(params, map, cell);
+  open_clearance_ = leastOpenClearance(params, map.map, cell);
   if (std::isinf(open_clearance_)) return;
 
-  const Point goal = betweenCenters(grid, field.goal());
-  SpeedMap speeds = makeSpeedMap(grid, field.clearances(), open_clearance_);
-  if (map.obstacles().grid) openOffGrid(*map.obstacles().grid, speeds);
+  const Point source = betweenCenters(grid, goal);
+  SpeedMap speeds = makeSpeedMap(grid, map.clearance, open_clearance_);
+  const StaticMap::Obstacles& obstacles = map.map.obstacles();
+  if (obstacles.grid) openOffGrid(*obstacles.grid, speeds);
   // A goal near an obstacle may be reached at its tolerance only.
-  forEachNear(grid, goal, params.goal_tolerance + 2.5 * cell,
+  forEachNear(grid, source, params.goal_tolerance + 2.5 * cell,
               [&](size_t near, double) { speeds.speed[near] = 1.0F; });
 
-  lengths_ = ArrivalTimeField(speeds, goal).times();
+  lengths_ = ArrivalTimeField(speeds, source).times();
   Surface surface(grid, openQuads(speeds, lengths_), lengths_);
   surface.flatten();
   slope_ = std::max(1.0, surface.steepest());
   scale_ = static_cast<float>(1.0 / (slope_ * (1.0 + kScaleRounding)));
 
-  offset_ = static_cast<float>(mostNearGoal(grid, goal, params.goal_tolerance) + kRounding);
+  offset_ = static_cast<float>(mostNearGoal(grid, source, params.goal_tolerance) + kRounding);
   for (float& length : lengths_) length = length < kUnreachable ? length : 0.0F;
+  const auto kept = static_cast<float>(params.clearance);
+  for (const double clearance : map.clearance) {
+    is_clear_.push_back(static_cast<float>(clearance) > kept ? 1 : 0);
+  }
 }
 
 // With d_i the distances of three centres from the goal and d that of a place between them of
@@ -202,16 +210,15 @@ double ShortestWay::mostNearGoal(const GridFrame& grid, const Point& goal, doubl
 }
 
 float ShortestWay::lengthFrom(float x, float y) const {
-  if (lengths_.empty() || field_.clearances()[field_.cellOf(x, y)] <= clearance_) return 0.0F;
-  const CellRaster& raster = field_.raster();
-  const float right = (x - raster.min_x) * raster.cells_per_meter - 0.5F;
-  const float up = (y - raster.min_y) * raster.cells_per_meter - 0.5F;
-  const float inner_right = std::clamp(right, 0.0F, raster.last_column);
-  const float inner_up = std::clamp(up, 0.0F, raster.last_row);
-  const float column = std::min(std::floor(inner_right), raster.last_column - 1.0F);
-  const float row = std::min(std::floor(inner_up), raster.last_row - 1.0F);
-  const size_t cell = static_cast<size_t>(row) * raster.columns + static_cast<size_t>(column);
-  const Quad quad(&lengths_[cell], raster.columns);
+  if (lengths_.empty() || is_clear_[static_cast<size_t>(raster_.cellOf(x, y))] == 0) return 0.0F;
+  const float right = (x - raster_.min_x) * raster_.cells_per_meter - 0.5F;
+  const float up = (y - raster_.min_y) * raster_.cells_per_meter - 0.5F;
+  const float inner_right = std::clamp(right, 0.0F, raster_.last_column);
+  const float inner_up = std::clamp(up, 0.0F, raster_.last_row);
+  const float column = std::min(std::floor(inner_right), raster_.last_column - 1.0F);
+  const float row = std::min(std::floor(inner_up), raster_.last_row - 1.0F);
+  const size_t cell = static_cast<size_t>(row) * raster_.columns + static_cast<size_t>(column);
+  const Quad quad(&lengths_[cell], raster_.columns);
   return scale_ * quad.at(inner_right - column, inner_up - row) - offset_;
 }
 

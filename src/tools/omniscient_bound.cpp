@@ -11,7 +11,7 @@
 #include "option_checks.h"
 #include "pomdp_crowd_nav/evaluation/durable_file.h"
 #include "pomdp_crowd_nav/evaluation/parallel_jobs.h"
-#include "pomdp_crowd_nav/planner/navigation_tables.h"
+#include "pomdp_crowd_nav/pomdp/upper_bound.h"
 #include "progress.h"
 #include "run_tool.h"
 
@@ -79,17 +79,13 @@ OmniscientBound::Params boundParams(const ModelParams& model) {
 // A certified lower limit of the drive without people [s].
 double freeDriveTime(const World& world, const NavigationParams& navigation,
                      const OmniscientBound& bound, double start_delay) {
-  PriorParams prior = navigation.planning.prior;
   const ModelParams& model = navigation.planning.model;
-  prior.clearance = model.obstacleClearance();
-  prior.robot_radius = model.vehicle.radius;
-  const StaticMap map = world.map();
-  const NavigationTables tables(makePrior("fast_marching", map, world.goal, prior), map, model,
-                                prior.resolution);
-  if (!tables.shortest_way) return bound.beelineTime();
+  const ClearanceGrid map(world.map(), navigation.planning.prior.resolution);
+  const auto shortest_way = makeShortestWay(model, map, world.goal);
+  if (!shortest_way) return bound.beelineTime();
   const Point& start = world.start.position;
   const double way =
-      tables.shortest_way->lengthFrom(static_cast<float>(start.x()), static_cast<float>(start.y()));
+      shortest_way->lengthFrom(static_cast<float>(start.x()), static_cast<float>(start.y()));
   return std::max(bound.beelineTime(), start_delay + way / model.vehicle.max_speed);
 }
 

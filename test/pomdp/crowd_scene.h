@@ -81,7 +81,7 @@ class CrowdScene {
         model_(model),
         map_({{0.0, 0.0}, {40.0, 30.0}}, obstacles(params)),
         field_(*prior(), map_, 0.25),
-        shortest_way_(makeShortestWay(model, field_, map_)) {
+        shortest_way_(makeShortestWay(model, ClearanceGrid(map_, 0.25), field_.goal())) {
     std::mt19937_64 random(params.seed);
     std::uniform_real_distribution<double> unit(0.0, 1.0);
     std::vector<PersonBelief> people;

@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "pomdp_crowd_nav/prior/navigation_field.h"
 #include "pomdp_crowd_nav/prior/quad.h"
 #include "pomdp_crowd_nav/prior/straight_line_prior.h"
 
@@ -24,7 +25,7 @@ struct Ways {
       : map(some_map),
         params(some_params),
         field(StraightLinePrior(goal), map, cell),
-        table(field, map, params) {}
+        table(ClearanceGrid(map, cell), goal, params) {}
 
   double from(const Point& p) const {
     return table.lengthFrom(static_cast<float>(p.x()), static_cast<float>(p.y()));
@@ -317,10 +318,11 @@ TEST(ShortestWayTest, KnowsTheDetourRoundAWallOfAnOccupancyGrid) {
 }
 
 TEST(ShortestWayTest, RejectsNegativeParameters) {
-  const NavigationField field(StraightLinePrior({45.0, 5.0}), walledMap(), 0.5);
-  EXPECT_THROW(ShortestWay(field, walledMap(), {-1.0, 0.75, 0.5}), std::invalid_argument);
-  EXPECT_THROW(ShortestWay(field, walledMap(), {1.0, -0.75, 0.5}), std::invalid_argument);
-  EXPECT_THROW(ShortestWay(field, walledMap(), {1.0, 0.75, std::nan("")}), std::invalid_argument);
+  const ClearanceGrid map(walledMap(), 0.5);
+  const Point goal(45.0, 5.0);
+  EXPECT_THROW(ShortestWay(map, goal, {-1.0, 0.75, 0.5}), std::invalid_argument);
+  EXPECT_THROW(ShortestWay(map, goal, {1.0, -0.75, 0.5}), std::invalid_argument);
+  EXPECT_THROW(ShortestWay(map, goal, {1.0, 0.75, std::nan("")}), std::invalid_argument);
 }
 
 }  // namespace

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <functional>
+#include <future>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "pomdp_crowd_nav/pomdp/model_params.h"
 #include "pomdp_crowd_nav/prior/navigation_field.h"
@@ -17,17 +17,20 @@ namespace pomdp_crowd_nav {
 
 // What an ES planner knows of a map and a goal before it meets anybody. Immutable, thread-safe.
 struct NavigationTables {
-  NavigationTables(std::shared_ptr<const RolloutPrior> prior_of_map, const ClearanceGrid& map,
+  using PriorMaker = std::function<std::shared_ptr<const RolloutPrior>()>;
+
+  // The shortest way is found in a thread of its own beside the prior, of this map and goal. Throws
+  // what `make_prior` throws.
+  NavigationTables(const PriorMaker& make_prior, const ClearanceGrid& map, const Point& goal,
                    const ModelParams& model);
-  NavigationTables(std::shared_ptr<const RolloutPrior> prior_of_map, const StaticMap& map,
-                   const ModelParams& model, double resolution)
-      : NavigationTables(std::move(prior_of_map), ClearanceGrid(map, resolution), model) {}
-  NavigationTables(const NavigationTables&) = delete;  // shortest_way refers to field
-  NavigationTables& operator=(const NavigationTables&) = delete;
 
   std::shared_ptr<const RolloutPrior> prior;
   NavigationField field;
   std::optional<ShortestWay> shortest_way;
+
+ private:
+  NavigationTables(std::future<std::optional<ShortestWay>> way,
+                   std::shared_ptr<const RolloutPrior> prior_of_map, const ClearanceGrid& map);
 };
 
 // Tables that planners of one map, one goal and the same parameters share, whatever seeds and

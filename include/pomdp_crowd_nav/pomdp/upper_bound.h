@@ -42,9 +42,9 @@ class UpperBound {
   std::vector<float> full_speed_;  // value of n steps at full speed and then the goal's reward
 };
 
-// The table that makes the bound of this model tighter on this map, for the field's goal. Nothing
+// The table that makes the bound of this model tighter on this map, for this goal. Nothing
 // where straight lines are all the bound knows: kPaper, or no obstacles.
-std::optional<ShortestWay> makeShortestWay(const ModelParams& params, const NavigationField& field,
-                                           const StaticMap& map);
+std::optional<ShortestWay> makeShortestWay(const ModelParams& params, const ClearanceGrid& map,
+                                           const Point& goal);
 
 }  // namespace pomdp_crowd_nav

@@ -3,9 +3,8 @@
 
 #include <vector>
 
-#include "pomdp_crowd_nav/prior/grid_frame.h"
-#include "pomdp_crowd_nav/prior/navigation_field.h"
-#include "pomdp_crowd_nav/world/static_map.h"
+#include "pomdp_crowd_nav/prior/cell_raster.h"
+#include "pomdp_crowd_nav/prior/clearance_grid.h"
 
 namespace pomdp_crowd_nav {
 
@@ -36,9 +35,8 @@ class ShortestWay {
     double goal_tolerance = 1.0;  // [m], D_g: where a drive is over
   };
 
-  // The field, of this map, must outlive the table. Throws std::invalid_argument when a parameter
-  // is negative.
-  ShortestWay(const NavigationField& field, const StaticMap& map, const Params& params);
+  // Throws std::invalid_argument when a parameter is negative.
+  ShortestWay(const ClearanceGrid& map, const Point& goal, const Params& params);
 
   // [m] to within the goal's tolerance. Nothing is said, which is a length of 0 or less, in cells
   // of clearance up to C, where no way leads to the goal, and where strides leap over obstacles.
@@ -53,13 +51,13 @@ class ShortestWay {
   // No place within `radius` [m] of the goal has more in the table, scaled.
   double mostNearGoal(const GridFrame& grid, const Point& goal, double radius) const;
 
-  const NavigationField& field_;
-  float clearance_;  // [m]
+  CellRaster raster_;
   double open_clearance_;
   double slope_ = 1.0;
   float scale_ = 0.0F;          // of the table
   float offset_ = 0.0F;         // [m], what the table says within the goal's tolerance
   std::vector<float> lengths_;  // [m], at the centres of the cells; 0 where nothing is known
+  std::vector<char> is_clear_;  // whether corners of a drive may lie in the cell
 };
 
 }  // namespace pomdp_crowd_nav
