@@ -153,7 +153,20 @@ class GoalSender {
   void onStatus(const PlannerStatus& status) {
     const bool is_next_trip =
         status_ && client_.getState() == State::SUCCEEDED && status.decisions < status_->decisions;
-    if (isOfThisTrip() && !is_next_trip) status_ = status;
+    if (!isOfThisTrip() || is_next_trip) return;
+    status_ = status;
+    sayWhatHolds(status);
+  }
+
+  // Once, until it changes: no progress comes from a robot that may not start or go on.
+  void sayWhatHolds(const PlannerStatus& status) {
+    const bool is_held = status.state == PlannerStatus::WAITING_FOR_INPUT ||
+                         status.state == PlannerStatus::PAUSED ||
+                         status.state == PlannerStatus::BLOCKED;
+    const std::string held = is_held ? status.state_name + ": " + status.stop_cause : "";
+    if (held == held_) return;
+    held_ = held;
+    if (is_held) say(held);
   }
 
   void showProgress(const geometry_msgs::PoseStamped& base, const Point& goal) {
@@ -237,6 +250,7 @@ class GoalSender {
   ros::Subscriber metrics_subscriber_, status_subscriber_;
   std::optional<EpisodeMetricsMessage> metrics_;
   std::optional<PlannerStatus> status_;
+  std::string held_;  // what was said last of what holds the robot
   bool is_sent_ = false;
   ros::Time sent_;
   ros::WallTime next_progress_;

@@ -136,8 +136,10 @@ TEST_F(GoalsTest, SendGoalSaysInWhatTheTimeRanOut) {
   const ProgramRun run =
       runSendGoal("--x 20 --y 40 --timeout 3 planner_status:=planner_node/status");
   EXPECT_EQ(run.status, 1) << run.output;
-  EXPECT_NE(run.output.find("timed out after 3 s in PAUSED: paused"), std::string::npos)
-      << run.output;
+  const size_t said = run.output.find("send_goal: PAUSED: paused\n");
+  const size_t ended = run.output.find("send_goal: timed out after 3 s in PAUSED: paused\n");
+  EXPECT_LT(said, ended) << run.output;
+  EXPECT_NE(ended, std::string::npos) << run.output;
   call.request.data = false;
   ASSERT_TRUE(pause.call(call));
 }
