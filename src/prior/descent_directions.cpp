@@ -5,6 +5,8 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
+#include "pomdp_crowd_nav/prior/in_halves.h"
+
 namespace pomdp_crowd_nav {
 namespace {
 
@@ -114,20 +116,23 @@ Directions descentDirections(const ArrivalTimeField& field, const SpeedMap& spee
   // Where two ways of equal length part, their slopes cancel in the central differences.
   constexpr double kLeastSlope = 0.9;  // of the slope 1 / speed of a single way
   Directions directions;
-  directions.x.reserve(grid.cellCount());
-  directions.y.reserve(grid.cellCount());
-  for (int row = 0; row < grid.rows; ++row) {
-    for (int column = 0; column < grid.columns; ++column) {
-      const Point descent(-slope_x(row + 1, column + 1), -slope_y(row + 1, column + 1));
-      Point direction = keptOnGrid(grid, column, row, descent);
-      if (direction.norm() * speed_map.speed[grid.index(column, row)] < kLeastSlope) {
-        direction = upwindDescent(field, column, row);
+  directions.x.resize(grid.cellCount());
+  directions.y.resize(grid.cellCount());
+  inHalves(grid.rows, [&](int first_row, int last_row) {
+    for (int row = first_row; row < last_row; ++row) {
+      for (int column = 0; column < grid.columns; ++column) {
+        const size_t cell = grid.index(column, row);
+        const Point descent(-slope_x(row + 1, column + 1), -slope_y(row + 1, column + 1));
+        Point direction = keptOnGrid(grid, column, row, descent);
+        if (direction.norm() * speed_map.speed[cell] < kLeastSlope) {
+          direction = upwindDescent(field, column, row);
+        }
+        direction.normalize();
+        directions.x[cell] = static_cast<float>(direction.x());
+        directions.y[cell] = static_cast<float>(direction.y());
       }
-      direction.normalize();
-      directions.x.push_back(static_cast<float>(direction.x()));
-      directions.y.push_back(static_cast<float>(direction.y()));
     }
-  }
+  });
   return directions;
 }
 

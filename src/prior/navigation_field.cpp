@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "pomdp_crowd_nav/prior/grid_frame.h"
+#include "pomdp_crowd_nav/prior/in_halves.h"
 
 namespace pomdp_crowd_nav {
 namespace {
@@ -30,17 +31,20 @@ NavigationField::NavigationField(const RolloutPrior& prior, const ClearanceGrid&
       raster_(clearances.grid) {
   const GridFrame& grid = clearances.grid;
   const size_t count = grid.cellCount();
-  directions_.reserve(count);
-  clearances_.reserve(count);
-  distances_.reserve(count);
-  for (int row = 0; row < grid.rows; ++row) {
-    for (int column = 0; column < grid.columns; ++column) {
-      const Course course = prior.courseAt({grid.center(column, row), 0.0});
-      directions_.push_back(packDirection(course.direction.x(), course.direction.y()));
-      clearances_.push_back(finite(clearances.clearance[grid.index(column, row)]));
-      distances_.push_back(finite(course.distance));
+  directions_.resize(count);
+  clearances_.resize(count);
+  distances_.resize(count);
+  inHalves(grid.rows, [&](int first_row, int last_row) {
+    for (int row = first_row; row < last_row; ++row) {
+      for (int column = 0; column < grid.columns; ++column) {
+        const size_t cell = grid.index(column, row);
+        const Course course = prior.courseAt({grid.center(column, row), 0.0});
+        directions_[cell] = packDirection(course.direction.x(), course.direction.y());
+        clearances_[cell] = finite(clearances.clearance[cell]);
+        distances_[cell] = finite(course.distance);
+      }
     }
-  }
+  });
 }
 
 }  // namespace pomdp_crowd_nav
