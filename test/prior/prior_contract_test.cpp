@@ -123,6 +123,22 @@ TEST_P(PriorContract, LeadsToTheGoalAmongObstacles) {
   EXPECT_NEAR(promised, walked, 0.01 * walked);
 }
 
+// Tables of the whole map ask this way. Off the map, inside obstacles and on the goal, too.
+TEST_P(PriorContract, SaysAtOnceWhatItSaysOneByOne) {
+  const StaticMap map = mapWithDiscs();
+  const Point goal(38.0, 15.0);
+  const auto prior = makePrior(GetParam(), map, goal, testParams());
+  std::vector<Point> places{goal, goal + Point(0.01, 0.0), Point(-3.0, 5.0), Point(50.0, 40.0)};
+  for (const Point& start : starts(map, -10.0)) places.push_back(start + Point(0.03, 0.07));
+  for (const Point& place : places) {
+    const Course course = prior->courseAt({place, 0.4});
+    const auto direction = prior->directionAt({place, 0.4});
+    const Point expected = direction ? unitVector(*direction) : Point(0.0, 0.0);
+    EXPECT_NEAR((course.direction - expected).norm(), 0.0, 1e-12) << place.transpose();
+    EXPECT_EQ(course.distance, prior->distanceToGoal(place)) << place.transpose();
+  }
+}
+
 TEST_P(PriorContract, AnswersTheSameToManyThreads) {
   const StaticMap map = mapWithDiscs();
   const auto prior = makePrior(GetParam(), map, {38.0, 15.0}, testParams());
