@@ -207,6 +207,7 @@ bool beginTrip(const Goal& goal, double now, Drive& drive) {
   drive.approaches = 0;
   drive.progress.begin(now);
   drive.blocker = Blocker();
+  drive.encounter = Encounter();
   drive.counts = TripCounts();
   drive.search = SearchStatistics();
   return true;

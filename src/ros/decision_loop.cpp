@@ -26,13 +26,14 @@ void noteMap(std::shared_ptr<const StaticMap>& map, double effect, Drive& drive)
   drive.planned_from = effect;
 }
 
-void noteBlocker(const std::optional<std::int64_t>& blocker, double now, Drive& drive) {
-  if (!blocker) {
+void notePerson(const Verdict& verdict, double now, Drive& drive) {
+  if (verdict.in_the_way) drive.encounter = {*verdict.in_the_way, now};
+  if (!verdict.in_the_way || !verdict.stands) {
     drive.blocker = Blocker();
     return;
   }
-  if (drive.blocker.id != *blocker) drive.blocker.since = now;
-  drive.blocker.id = *blocker;
+  if (drive.blocker.id != *verdict.in_the_way) drive.blocker.since = now;
+  drive.blocker.id = *verdict.in_the_way;
 }
 
 }  // namespace
@@ -177,7 +178,7 @@ void DecisionLoop::handOver(const Snapshot& snapshot, const Verdict& verdict, do
       if (follow(decision.motion, effect, drive)) noteMap(known_map, effect, drive);
     }
     drive.progress.see(verdict.way, now);
-    noteBlocker(verdict.blocker, now, drive);
+    notePerson(verdict, now, drive);
   });
 }
 

@@ -33,10 +33,9 @@ Verdict DecisionMaker::decide(const Snapshot& snapshot, const SearchLimit& limit
     emergency_.apply(*action, vehicle, decision);
   }
   verdict.way = guidance.distance_to_goal;
-  if (vehicle.speed <= 0.0 && decision.motion.end_velocity.norm() <= 0.0) {
-    verdict.blocker =
-        blocking_person_.find(vehicle.position, directionOf(guidance), snapshot.tracks);
-  }
+  verdict.stands = vehicle.speed <= 0.0 && decision.motion.end_velocity.norm() <= 0.0;
+  verdict.in_the_way =
+      blocking_person_.find(vehicle.position, directionOf(guidance), snapshot.tracks);
   return verdict;
 }
 

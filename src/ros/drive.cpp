@@ -93,12 +93,18 @@ StopCause stopCause(const Drive& drive, const InputLimits& limits, double now) {
 }
 
 std::string whyBlocked(const Drive& drive, StopCause cause, double now) {
+  constexpr double kLately =
+      5.0;  // [s], who was met by then may be why the robot drives to and fro
   const std::string stalled =
       fmt::format("no progress for {:.0f} s", drive.progress.stalledFor(now));
-  if (drive.blocker.id >= 0) {
-    return fmt::format("{}: person {} is in the way", stalled, drive.blocker.id);
-  }
+  const auto inTheWay = [&](std::int64_t person) {
+    return fmt::format("{}: person {} is in the way", stalled, person);
+  };
+  if (drive.blocker.id >= 0) return inTheWay(drive.blocker.id);
   if (cause != StopCause::kNone) return stalled + ": " + explain(cause, drive.inputs);
+  if (drive.encounter.id >= 0 && now - drive.encounter.when <= kLately) {
+    return inTheWay(drive.encounter.id);
+  }
   return stalled + ": no way on is found";
 }
 

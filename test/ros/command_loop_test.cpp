@@ -224,6 +224,17 @@ TEST_F(Stalled, IsBlockedAfterAWhileAndGivenUpAfterLonger) {
   EXPECT_EQ(finished_->text, "blocked: no progress for 12 s: person 17 is in the way");
 }
 
+// A robot that drives to and fro before somebody does not stand, but gets nowhere for that person.
+TEST_F(Stalled, NamesThePersonWhoWasInTheWayLately) {
+  drive_.encounter = {17, now_ + 4.0};
+  run(8.0);
+  EXPECT_EQ(toStatus(drive_, loop_.limits(), now_).stop_cause,
+            "no progress for 8 s: person 17 is in the way");
+  run(3.0);
+  EXPECT_EQ(toStatus(drive_, loop_.limits(), now_).stop_cause,
+            "no progress for 11 s: no way on is found");
+}
+
 TEST_F(Stalled, WaitingForAPersonIsNamedWithItsTime) {
   drive_.blocker = {17, now_};
   run(2.0);

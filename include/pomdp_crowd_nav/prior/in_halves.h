@@ -5,8 +5,8 @@
 
 namespace pomdp_crowd_nav {
 
-// Calls work(first, last) for the rows [0, rows) of a grid in two halves, one of them in a thread of
-// its own where there is one to be had. The halves must not write to the same place.
+// Calls work(first, last) for the rows [0, rows) of a grid in two halves, one of them in a thread
+// of its own where there is one to be had. The halves must not write to the same place.
 template <typename Work>
 void inHalves(int rows, const Work& work) {
   std::future<void> upper = std::async(std::launch::async | std::launch::deferred,

@@ -21,8 +21,9 @@ struct Snapshot {
 // What is made of them.
 struct Verdict {
   Decision decision;
-  std::optional<std::int64_t> blocker;  // id of the person for whom the robot stands
-  double way = 0.0;                     // [m], left to the goal
+  std::optional<std::int64_t> in_the_way;  // id of the nearest person there
+  bool stands = false;                     // the robot, and stays where it is
+  double way = 0.0;                        // [m], left to the goal
 };
 
 // One decision: the planner's, unless the emergency override replaces it.

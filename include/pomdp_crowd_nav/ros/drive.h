@@ -33,6 +33,12 @@ struct Blocker {
   double since = 0.0;  // [s]
 };
 
+// The person who was in the way last, whether the robot stood still or drove to and fro.
+struct Encounter {
+  std::int64_t id = -1;
+  double when = 0.0;  // [s]
+};
+
 // Since the goal was accepted.
 struct TripCounts {
   unsigned decisions = 0;
@@ -58,6 +64,7 @@ struct Drive {
   StopCause reflex_or_miss = StopCause::kNone;  // why the base brakes until the next decision
   MotionExecutor executor;
   Blocker blocker;
+  Encounter encounter;
   ProgressWatch progress;
   TripCounts counts;
   SearchStatistics search;  // of the last decision
