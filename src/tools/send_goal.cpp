@@ -158,15 +158,18 @@ class GoalSender {
     sayWhatHolds(status);
   }
 
-  // Once, until it changes: no progress comes from a robot that may not start or go on.
+  // Once, until it changes: no progress comes from a robot that may not start or go on. The reason
+  // why it is blocked counts the seconds.
   void sayWhatHolds(const PlannerStatus& status) {
     const bool is_held = status.state == PlannerStatus::WAITING_FOR_INPUT ||
                          status.state == PlannerStatus::PAUSED ||
                          status.state == PlannerStatus::BLOCKED;
-    const std::string held = is_held ? status.state_name + ": " + status.stop_cause : "";
+    const bool counts = status.state == PlannerStatus::BLOCKED;
+    const std::string text = status.state_name + ": " + status.stop_cause;
+    const std::string held = is_held ? (counts ? status.state_name : text) : "";
     if (held == held_) return;
     held_ = held;
-    if (is_held) say(held);
+    if (is_held) say(text);
   }
 
   void showProgress(const geometry_msgs::PoseStamped& base, const Point& goal) {
@@ -250,7 +253,7 @@ class GoalSender {
   ros::Subscriber metrics_subscriber_, status_subscriber_;
   std::optional<EpisodeMetricsMessage> metrics_;
   std::optional<PlannerStatus> status_;
-  std::string held_;  // what was said last of what holds the robot
+  std::string held_;  // by what the robot is held, as was said last
   bool is_sent_ = false;
   ros::Time sent_;
   ros::WallTime next_progress_;
