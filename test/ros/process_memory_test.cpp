@@ -8,6 +8,8 @@
 #include <memory>
 #include <thread>
 
+#include "../instrumented.h"
+
 namespace pomdp_crowd_nav {
 namespace {
 
@@ -32,9 +34,7 @@ void useAndFree() {
 }
 
 TEST(ProcessMemory, LargeBlocksGoBackToTheSystem) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  GTEST_SKIP() << "sanitizers allocate in their own way";
-#endif
+  if (kIsInstrumented) GTEST_SKIP() << "sanitizers allocate in their own way";
   returnLargeBlocks();
   const double before = residentMegabytes();
   useAndFree();

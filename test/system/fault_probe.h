@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "../instrumented.h"
 #include "command_meter.h"
-#include "instrumented.h"
 #include "navigation_client.h"
 
 namespace pomdp_crowd_nav {
@@ -53,15 +53,17 @@ inline CommandMeter::Reading worstOf(const std::list<CommandMeter>& meters) {
   return worst;
 }
 
-// Fails where a base nearly came to rest, as on a hard stop.
+// Fails where a base nearly came to rest, as on a hard stop, or, instrumented, got no command.
 inline void expectNoHardStop(const CommandMeter::Reading& reading) {
   constexpr double kStillDrives = 0.3;  // [m/s]
+  EXPECT_GT(reading.commands, 0);
   if (kIsInstrumented) return;
   EXPECT_GT(reading.least_speed, kStillDrives) << "a hard stop";
 }
 
 // For a fault that should stop nothing: fails unless the bases, in these namespaces, keep moving
-// while `injure` runs, and commands come no more than the bound apart. Up to three times, as other
+// while `injure` runs, which is not asked of instrumented nodes, and commands come no more than the
+// bound apart. Up to three times, as other
 // work on the machine may delay a command, and the best counts; what the node itself delays, it
 // delays each time.
 inline CommandMeter::Reading expectDriveOn(const Fault& fault, const std::function<void()>& injure,
@@ -82,7 +84,7 @@ inline CommandMeter::Reading expectDriveOn(const Fault& fault, const std::functi
     if (rate > 15.0 && moves() && best.longest_period <= fault.bound) break;
   }
   EXPECT_GT(rate, 15.0) << fault.name << ": fewer than 15 commands a second";
-  EXPECT_TRUE(moves()) << fault.name << ": the base came to rest";
+  EXPECT_TRUE(moves()) << fault.name << ": the base came to rest, " << best.least_speed << " m/s";
   EXPECT_LE(best.longest_period, fault.bound) << fault.name;
   recordFault(fault, "period_s", best.longest_period);
   return best;
