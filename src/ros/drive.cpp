@@ -92,9 +92,9 @@ StopCause stopCause(const Drive& drive, const InputLimits& limits, double now) {
   return drive.reflex_or_miss == StopCause::kNone ? StopCause::kNoDecision : drive.reflex_or_miss;
 }
 
+// Who was met lately may be why the robot drives to and fro.
 std::string whyBlocked(const Drive& drive, StopCause cause, double now) {
-  constexpr double kLately =
-      5.0;  // [s], who was met by then may be why the robot drives to and fro
+  constexpr double kLately = 5.0;  // [s]
   const std::string stalled =
       fmt::format("no progress for {:.0f} s", drive.progress.stalledFor(now));
   const auto inTheWay = [&](std::int64_t person) {
