@@ -65,7 +65,7 @@ bool FastMarchingPrior::isNearGoal(double path_length) const {
   return path_length < kStraightCells * field_.grid().resolution;
 }
 
-// Nearly a unit vector.
+// Nearly a unit vector; (0, 0) on a plateau, as rounding leaves behind very slow cells.
 Point FastMarchingPrior::descentAt(const Point& position) const {
   // Between cells from which different ways lead to the goal, their mean is neither of them.
   constexpr double kLeastAgreement = 0.95;
@@ -85,7 +85,8 @@ std::optional<double> FastMarchingPrior::directionAt(const Pose& pose) const {
   const Point& position = pose.position;
   if (!field_.grid().contains(position)) return std::nullopt;
   if (isNearGoal(field_.pathLengthAt(position))) return bearing(position, goal());
-  return bearing({0.0, 0.0}, descentAt(position));
+  const Point descent = descentAt(position);
+  return descent.isZero(0.0) ? std::nullopt : std::optional<double>(bearing({0.0, 0.0}, descent));
 }
 
 double FastMarchingPrior::distanceToGoal(const Point& position) const {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kRounding = 1e-6;  // [cells]
 
-// Of a value in [0, most], and the nearer of these beside it.
+// The whole part of a value that is first brought into [0, most].
 int clampedFloor(double value, int most) {
   return static_cast<int>(std::clamp(value, 0.0, static_cast<double>(most)));
 }

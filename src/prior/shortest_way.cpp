@@ -194,6 +194,7 @@ ShortestWay::ShortestWay(const ClearanceGrid& map, const Point& goal, const Para
   offset_ = static_cast<float>(mostNearGoal(grid, source, params.goal_tolerance) + kRounding);
   for (float& length : lengths_) length = length < kUnreachable ? length : 0.0F;
   const auto kept = static_cast<float>(params.clearance);
+  is_clear_.reserve(map.clearance.size());
   for (const double clearance : map.clearance) {
     is_clear_.push_back(static_cast<float>(clearance) > kept ? 1 : 0);
   }

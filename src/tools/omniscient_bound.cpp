@@ -12,6 +12,7 @@
 #include "pomdp_crowd_nav/evaluation/durable_file.h"
 #include "pomdp_crowd_nav/evaluation/parallel_jobs.h"
 #include "pomdp_crowd_nav/pomdp/upper_bound.h"
+#include "pomdp_crowd_nav/prior/clearance_grid.h"
 #include "progress.h"
 #include "run_tool.h"
 

@@ -25,6 +25,17 @@ TEST(TrialQueueTest, GivesTheEarliestFirst) {
   EXPECT_TRUE(queue.isEmpty());
 }
 
+// Marches on symmetric maps are the same everywhere only if this order is.
+TEST(TrialQueueTest, GivesEqualTimesInAnOrderOfItsOwn) {
+  TrialQueue queue;
+  std::vector<int> order;
+  for (int cell = 0; cell < 7; ++cell) queue.push({1.0F, cell});
+  for (int i = 0; i < 3; ++i) order.push_back(queue.pop().cell);
+  for (int cell = 7; cell < 10; ++cell) queue.push({1.0F, cell});
+  while (!queue.isEmpty()) order.push_back(queue.pop().cell);
+  EXPECT_EQ(order, (std::vector<int>{0, 2, 5, 6, 4, 8, 9, 7, 1, 3}));
+}
+
 // As a march does: what is put in is no earlier than what was taken out last.
 TEST(TrialQueueTest, LosesNothingAndGoesNeverBackOnALongMarch) {
   TrialQueue queue;

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "pomdp_crowd_nav/pomdp/model_params.h"
+#include "pomdp_crowd_nav/prior/clearance_grid.h"
 #include "pomdp_crowd_nav/prior/navigation_field.h"
 #include "pomdp_crowd_nav/prior/shortest_way.h"
 
@@ -20,7 +21,7 @@ struct NavigationTables {
   using PriorMaker = std::function<std::shared_ptr<const RolloutPrior>()>;
 
   // The shortest way is found in a thread of its own beside the prior, of this map and goal. Throws
-  // what `make_prior` throws.
+  // what `make_prior` and makeShortestWay throw, once both have ended.
   NavigationTables(const PriorMaker& make_prior, const ClearanceGrid& map, const Point& goal,
                    const ModelParams& model);
 

@@ -6,6 +6,7 @@
 
 #include "pomdp_crowd_nav/pomdp/model_params.h"
 #include "pomdp_crowd_nav/pomdp/robot_state.h"
+#include "pomdp_crowd_nav/prior/clearance_grid.h"
 #include "pomdp_crowd_nav/prior/shortest_way.h"
 
 namespace pomdp_crowd_nav {

@@ -8,8 +8,8 @@
 
 namespace pomdp_crowd_nav {
 
-// The trial cells of a march, earliest first: a binary heap, twice as fast as the standard
-// library's. Trials of equal time come in an order that is the same everywhere.
+// The trial cells of a march, earliest first: a binary heap. Trials of equal time come in an order
+// that is the same everywhere.
 class TrialQueue {
  public:
   struct Trial {
