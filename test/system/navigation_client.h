@@ -8,7 +8,6 @@
 #include <rosgraph_msgs/Log.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -38,14 +37,16 @@ class LogListener {
   std::string log_;
 };
 
-// A plain actionlib client of the planner that also listens to its status and commands.
+// A plain actionlib client of the planner that also listens to its status and commands. It has no
+// thread of its own, in which actionlib's client would change its state without a lock: waitUntil of
+// any client serves all of them.
 class NavigationClient {
  public:
   using State = actionlib::SimpleClientGoalState;
 
   // Of the planner in that namespace, which ends with a slash.
   explicit NavigationClient(const std::string& space = "")
-      : action_(space + "move_base", true), node_(space), private_node_(space + "planner_node") {
+      : action_(space + "move_base", false), node_(space), private_node_(space + "planner_node") {
     status_subscriber_ = private_node_.subscribe("status", 10, &NavigationClient::onStatus, this);
     command_subscriber_ = node_.subscribe("cmd_vel", 100, &NavigationClient::onCommand, this);
   }
@@ -143,7 +144,7 @@ class NavigationClient {
   std::uint32_t most_trials_ = 0;
   int status_count_ = 0;
   int command_count_ = 0;
-  std::atomic<int> feedback_count_{0};
+  int feedback_count_ = 0;
   double top_speed_ = 0.0;
   bool are_commands_finite_ = true;
 };
