@@ -38,8 +38,8 @@ class LogListener {
 };
 
 // A plain actionlib client of the planner that also listens to its status and commands. It has no
-// thread of its own, in which actionlib's client would change its state without a lock: waitUntil of
-// any client serves all of them.
+// thread of its own, in which actionlib's client would change its state without a lock: waitUntil
+// of any client serves all of them.
 class NavigationClient {
  public:
   using State = actionlib::SimpleClientGoalState;
