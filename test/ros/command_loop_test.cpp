@@ -164,9 +164,7 @@ TEST_F(CommandLoopTest, BaseThatNeverRestsAtTheGoalFails) {
     drive_.inputs.robot->pose.position = Point(20.8, 0.0);
     run(1.0);
   }
-  ASSERT_TRUE(finished_);
-  EXPECT_EQ(finished_->outcome, Outcome::kFailed);
-  EXPECT_EQ(finished_->text, "failed: the base rests 0.80 m from the goal");
+  expectEnd(Outcome::kFailed, "failed: the base rests 0.80 m from the goal");
 }
 
 TEST_F(CommandLoopTest, BaseThatRollsOnAtTheGoalFails) {
@@ -177,9 +175,7 @@ TEST_F(CommandLoopTest, BaseThatRollsOnAtTheGoalFails) {
     drive_.inputs.robot->pose.position += Point(0.015, 0.0);
   }
   EXPECT_GT(drive_.inputs.robot->pose.position.x(), 21.0);
-  ASSERT_TRUE(finished_);
-  EXPECT_EQ(finished_->outcome, Outcome::kFailed);
-  EXPECT_EQ(finished_->text, "failed: the base does not rest at the goal");
+  expectEnd(Outcome::kFailed, "failed: the base does not rest at the goal");
 }
 
 TEST_F(CommandLoopTest, GoalIsNotReachedWhereNoOdometrySaysThatTheBaseRests) {
@@ -190,9 +186,7 @@ TEST_F(CommandLoopTest, GoalIsNotReachedWhereNoOdometrySaysThatTheBaseRests) {
     now_ += 0.05;
     finished_ = loop_.tick(now_, drive_).finished;
   }
-  ASSERT_TRUE(finished_);
-  EXPECT_EQ(finished_->outcome, Outcome::kFailed);
-  EXPECT_EQ(finished_->text,
+  expectEnd(Outcome::kFailed,
             "failed: the base does not rest at the goal: odometry is silent or too old");
 }
 
@@ -219,9 +213,7 @@ TEST_F(Stalled, IsBlockedAfterAWhileAndGivenUpAfterLonger) {
   EXPECT_EQ(status.stop_cause, "no progress for 6 s: person 17 is in the way");
   EXPECT_FALSE(finished_);
   run(8.0);
-  ASSERT_TRUE(finished_);
-  EXPECT_EQ(finished_->outcome, Outcome::kFailed);
-  EXPECT_EQ(finished_->text, "blocked: no progress for 12 s: person 17 is in the way");
+  expectEnd(Outcome::kFailed, "blocked: no progress for 12 s: person 17 is in the way");
 }
 
 // A robot that drives to and fro before somebody does not stand, but gets nowhere for that person.

@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "pomdp_crowd_nav/ros/command_loop.h"
 
@@ -72,6 +73,12 @@ class CommandLoopTest : public testing::Test {
     motion.instant = false;
     drive_.executor.follow(motion, now_);
     run(1.0);
+  }
+
+  void expectEnd(Outcome outcome, const std::string& text) const {
+    ASSERT_TRUE(finished_);
+    EXPECT_EQ(finished_->outcome, outcome);
+    EXPECT_EQ(finished_->text, text);
   }
 
   double speed() const { return drive_.inputs.robot->velocity.norm(); }

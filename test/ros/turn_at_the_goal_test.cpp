@@ -45,9 +45,7 @@ TEST_F(TurnAtTheGoal, BaseThatDoesNotTurnFails) {
     run(0.05);
     drive_.inputs.robot->pose.heading = drive_.inputs.robot->yaw_rate = 0.0;
   }
-  ASSERT_TRUE(finished_);
-  EXPECT_EQ(finished_->outcome, Outcome::kFailed);
-  EXPECT_EQ(finished_->text, "failed: the base is 2.00 rad off the heading of the goal");
+  expectEnd(Outcome::kFailed, "failed: the base is 2.00 rad off the heading of the goal");
 }
 
 TEST_F(TurnAtTheGoal, CancelEndsTheTurn) {
